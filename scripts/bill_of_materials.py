@@ -37,7 +37,7 @@ def repository() -> Path:
 
 
 def libraries(jar: Path, fetched: Path) -> list[Component]:
-    """Those in the jar that are not the product's own."""
+    """Libraries in the jar that are not the product's own."""
     with zipfile.ZipFile(jar) as whole:
         files = {
             name.removeprefix(LIBRARIES): whole.read(name)
@@ -72,7 +72,7 @@ def maven(group: str, artifact: str, version: str, content: bytes) -> Component:
 
 
 def programs(found: list[Component]) -> list[Component]:
-    """Those that lie packed in libraries."""
+    """Programs that are packed in libraries."""
     versions = {each["version"] for each in found if each["name"].startswith(PACKED_POSTGRES)}
     return [postgres(version) for version in sorted(versions)]
 
@@ -89,7 +89,7 @@ def postgres(packed: str) -> Component:
 
 
 def signer(project: Path) -> list[Component]:
-    """What pip fetches beside the signer; pinned."""
+    """Packages that pip fetches beside the signer; pinned."""
     wanted = tomllib.loads(project.read_text())["project"]["dependencies"]
     return [
         {"type": "library", "name": name, "version": version, "purl": f"pkg:pypi/{name}@{version}"}
@@ -98,7 +98,7 @@ def signer(project: Path) -> list[Component]:
 
 
 def packages(lock: Path) -> list[Component]:
-    """Those that go into the page; what builds and tests it stays out."""
+    """Packages that go into the page; what builds and tests it stays out."""
     listed = json.loads(lock.read_text())["packages"]
     return [
         package(place.rpartition("node_modules/")[2], entry)

@@ -1,4 +1,4 @@
-"""Looks whether anything that ships has a known vulnerability, and says so when it cannot tell.
+"""Checks what ships for known vulnerabilities, and reports what it could not check.
 
 Usage: check_vulnerabilities.py [--offline] [--jar FILE]     after a build
 
@@ -42,7 +42,7 @@ class Ecosystem:
     """One kind of things that ship, its database, and what everybody knows to be vulnerable in it."""
 
     name: str
-    things: str
+    description: str
     kind: str
     planted: tuple[str, str]
 
@@ -64,7 +64,7 @@ ECOSYSTEMS = (
 
 
 class NotChecked(Exception):
-    """Why nothing can be said."""
+    """Reason for which an ecosystem was not checked."""
 
 
 @dataclass(frozen=True)
@@ -90,18 +90,18 @@ def databases() -> Path:
     return Path(os.environ.get("DRONEMAP_ADVISORIES", ROOT / ".tools" / "advisories"))
 
 
-def asked(shipped: list[Component], of: Ecosystem) -> list[Component]:
-    """Those of one kind."""
+def components_in(shipped: list[Component], of: Ecosystem) -> list[Component]:
+    """Components of one ecosystem."""
     return [each for each in shipped if each["purl"].startswith(f"pkg:{of.kind}/")]
 
 
-def programs(shipped: list[Component]) -> list[Component]:
-    """Those that belong to no kind."""
-    return [each for each in shipped if not any(each in asked(shipped, of) for of in ECOSYSTEMS)]
+def outside_ecosystems(shipped: list[Component]) -> list[Component]:
+    """Components of no ecosystem."""
+    return [each for each in shipped if not any(each in components_in(shipped, of) for of in ECOSYSTEMS)]
 
 
-def ask(program: str, components: list[Component], folder: Path, offline: bool) -> list[Finding]:
-    """What the scanner answers; that its program ends well is not taken for an answer."""
+def scan(program: str, components: list[Component], folder: Path, offline: bool) -> list[Finding]:
+    """Findings of the scanner; that its program ends well is not taken for an answer."""
     folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as temporary:
         file = Path(temporary) / "dronemap.cdx.json"
@@ -135,18 +135,20 @@ def ask(program: str, components: list[Component], folder: Path, offline: bool) 
         results = json.loads(ended.stdout)["results"]
     except (ValueError, KeyError, TypeError):
         raise NotChecked(f"the scanner ended with {ended.returncode} and told nothing") from None
-    return [finding(each) for result in results for each in result["packages"] if each.get("vulnerabilities")]
+    return [
+        finding_of(each) for result in results for each in result["packages"] if each.get("vulnerabilities")
+    ]
 
 
-def finding(package: dict[str, Any]) -> Finding:
+def finding_of(package: dict[str, Any]) -> Finding:
     of = package["package"]
     return Finding(
         of["name"], of["version"], tuple(sorted(each["id"] for each in package["vulnerabilities"]))
     )
 
 
-def proved(findings: list[Finding], of: Ecosystem, folder: Path) -> list[Finding]:
-    """Those that ship, once the planted one was found by a database that is not too old."""
+def verify_findings(findings: list[Finding], of: Ecosystem, folder: Path) -> list[Finding]:
+    """Findings that ship, once the planted one was found by a database that is not too old."""
     if of.planted not in {(each.name, each.version) for each in findings}:
         raise NotChecked(
             f"the scanner does not know that {' '.join(of.planted)} is vulnerable, so its database {of.name}"
@@ -168,29 +170,31 @@ def check(jar: Path, offline: bool) -> int:
     shipped = bill_of_materials.bill(jar)["components"]
     known, unchecked = 0, []
     for of in ECOSYSTEMS:
-        mine = asked(shipped, of)
+        mine = components_in(shipped, of)
         try:
-            found = proved(ask(scanner(), [*mine, of.component()], databases(), offline), of, databases())
+            found = verify_findings(
+                scan(scanner(), [*mine, of.component()], databases(), offline), of, databases()
+            )
         except (NotChecked, subprocess.TimeoutExpired) as why:
-            print(f"{len(mine)} {of.things} were not checked: {why}.")
-            unchecked.append(f"{len(mine)} {of.things}")
+            print(f"{len(mine)} {of.description} were not checked: {why}.")
+            unchecked.append(f"{len(mine)} {of.description}")
             continue
         for each in found:
             print(each)
         known += len(found)
-        print(counted(found, len(mine), of))
-    by_hand = [f"{each['name']} {each['version']}" for each in programs(shipped)]
+        print(count_sentence(found, len(mine), of))
+    by_hand = [f"{each['name']} {each['version']}" for each in outside_ecosystems(shipped)]
     for name in by_hand:
         print(f"{name} was not checked: osv-scanner knows no programs. Compare it with {SECURITY_PAGE}")
-    return summed_up(known, unchecked, by_hand)
+    return print_summary(known, unchecked, by_hand)
 
 
-def counted(found: list[Finding], of_how_many: int, of: Ecosystem) -> str:
+def count_sentence(found: list[Finding], of_how_many: int, of: Ecosystem) -> str:
     how_many = f"{len(found)} are known to be vulnerable" if found else "none has a known vulnerability"
-    return f"Of {of_how_many} {of.things} {how_many}."
+    return f"Of {of_how_many} {of.description} {how_many}."
 
 
-def summed_up(known: int, unchecked: list[str], by_hand: list[str]) -> int:
+def print_summary(known: int, unchecked: list[str], by_hand: list[str]) -> int:
     missing = f"Not checked: {', '.join([*unchecked, *by_hand])}."
     if known:
         print(f"Known vulnerabilities: in {known} of what ships. {missing}")

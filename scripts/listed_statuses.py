@@ -35,7 +35,7 @@ class Listed:
 
 
 class Description:
-    """Which operations there are, and with which statuses each answers."""
+    """Operations of the description, and the statuses that each answers with."""
 
     def __init__(self, file: Path) -> None:
         self.listed: set[Listed] = set()
@@ -52,7 +52,7 @@ class Description:
                     self.listed.add(Listed(pattern, name, int(status)))
 
     def pattern(self, method: str, address: str) -> str | None:
-        """Of the operation that an address is of; None: there is none."""
+        """Pattern of the operation that an address belongs to; None: there is none."""
         key = (method, address)
         if key not in self._known:
             found = (pattern for each, pattern in self._patterns.get(method, []) if each.fullmatch(address))
@@ -60,7 +60,7 @@ class Description:
         return self._known[key]
 
 
-def seen_in(folder: Path, description: Description) -> Iterator[Listed]:
+def read_seen(folder: Path, description: Description) -> Iterator[Listed]:
     for file in sorted(folder.glob("*.txt")):
         for line in file.read_text(encoding="utf-8").splitlines():
             method, address, status = line.split(" ")
@@ -69,7 +69,7 @@ def seen_in(folder: Path, description: Description) -> Iterator[Listed]:
                 yield Listed(pattern, method, int(status))
 
 
-def exceptions_of(file: Path) -> set[Listed]:
+def read_exceptions(file: Path) -> set[Listed]:
     exceptions: set[Listed] = set()
     for line in file.read_text(encoding="utf-8").splitlines():
         if line.strip() and not line.startswith("#"):
@@ -99,11 +99,11 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("seen", type=Path)
     chosen = parser.parse_args(arguments)
     description = Description(chosen.description)
-    seen = set(seen_in(chosen.seen, description))
+    seen = set(read_seen(chosen.seen, description))
     if not seen:
         print(f"No test has written down in {chosen.seen} with which statuses REST answers.")
         return 1
-    wrong = list(differences(description.listed, exceptions_of(chosen.exceptions), seen))
+    wrong = list(differences(description.listed, read_exceptions(chosen.exceptions), seen))
     print(*wrong, sep="\n")
     print(
         f"{len(description.listed)} statuses are listed, {len(seen & description.listed)} of them were seen."

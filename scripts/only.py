@@ -160,7 +160,7 @@ def titles(text: str) -> Iterator[list[tuple[str, bool]]]:
 
 
 def as_expression(names: list[tuple[str, bool]]) -> str:
-    """What the test runner calls it: all titles with spaces between."""
+    """Name as the test runner has it: all titles with spaces between."""
     parts = [TS_HOLE.split(words) if holes else [words] for words, holes in names]
     return " ".join(
         ".*".join(re.sub(r"([.*+?^${}()|\[\]\\/])", r"\\\1", text) for text in part) for part in parts
@@ -189,8 +189,8 @@ def vitest_lines(root: Path, pattern: Pattern) -> Match:
 # --- Python ---
 
 
-class NotCollected(Exception):
-    """What a project's tests are cannot be told."""
+class CollectionError(Exception):
+    """The tests of a project could not be listed."""
 
 
 def node_ids(folder: Path, soak: bool) -> list[str]:
@@ -209,7 +209,7 @@ def node_ids(folder: Path, soak: bool) -> list[str]:
     )
     if outcome.returncode not in (0, NO_TESTS_COLLECTED):
         print(outcome.stdout, outcome.stderr, file=sys.stderr)
-        raise NotCollected(f"The tests of {folder.name} cannot be listed.")
+        raise CollectionError(f"The tests of {folder.name} cannot be listed.")
     return [line for line in outcome.stdout.splitlines() if re.match(r"[^ ]+\.py::", line)]
 
 
@@ -237,7 +237,7 @@ def main(arguments: list[str], root: Path = ROOT) -> int:
     kind, pattern, *projects = arguments
     try:
         found = matches(root, kind == "soak", Pattern(pattern), projects)
-    except NotCollected as reason:
+    except CollectionError as reason:
         print(reason, file=sys.stderr)
         return 1
     for line in (line for match in found for line in match.lines):

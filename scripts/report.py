@@ -34,8 +34,8 @@ class Suite:
     passed: int = 0
     failures: Counter[str] = field(default_factory=Counter)
     skips: Counter[str] = field(default_factory=Counter)
-    tried_on: list[str] = field(default_factory=list)
-    said: dict[str, str] = field(default_factory=dict)
+    adapters: list[str] = field(default_factory=list)
+    messages: dict[str, str] = field(default_factory=dict)
     times: Counter[str] = field(default_factory=Counter)
     seconds: dict[str, float] = field(default_factory=dict)
     logs_of_failures: set[str] = field(default_factory=set)
@@ -52,8 +52,8 @@ class Suite:
     def ran(self) -> int:
         return self.passed + self.failed
 
-    def took(self, name: str, seconds: float) -> None:
-        """Of several rounds the longest counts."""
+    def add_time(self, name: str, seconds: float) -> None:
+        """Adds the time of a test; of several rounds the longest counts."""
         self.seconds[name] = max(self.seconds.get(name, 0), seconds)
 
 
@@ -83,21 +83,23 @@ def add_case(suite: Suite, case: ElementTree.Element) -> None:
     suite.times[name] += 1
     if broken is not None:
         suite.failures[name] += 1
-        suite.said.setdefault(name, (broken.text or broken.get("message") or "").strip())
+        suite.messages.setdefault(name, (broken.text or broken.get("message") or "").strip())
     elif skipped is not None:
         reason = reason_of(skipped)
         suite.skips[f"{reason}: {name}" if reason == NO_REASON else reason] += 1
     else:
         suite.passed += 1
-    suite.took(name, seconds_of(case))
+    suite.add_time(name, seconds_of(case))
 
 
 def add_setup(suite: Suite, group: ElementTree.Element) -> None:
-    """What a class took beside its tests, such as starting what they share."""
+    """Adds the time of a class beside its tests, such as starting what they share."""
     cases = group.findall("testcase")
     name = group.get("name", "")
     if cases and all(case.get("classname") == name for case in cases):
-        suite.took(f"{name} (beside its tests)", seconds_of(group) - sum(seconds_of(case) for case in cases))
+        suite.add_time(
+            f"{name} (beside its tests)", seconds_of(group) - sum(seconds_of(case) for case in cases)
+        )
 
 
 def add_reports(suite: Suite, pattern: str, named: bool = False) -> None:
@@ -116,7 +118,7 @@ def add_reports(suite: Suite, pattern: str, named: bool = False) -> None:
             add_setup(suite, group)
         for output in root.iter("system-out"):
             lines = (output.text or "").splitlines()
-            suite.tried_on += [line.removeprefix(TRIED_ON) for line in lines if line.startswith(TRIED_ON)]
+            suite.adapters += [line.removeprefix(TRIED_ON) for line in lines if line.startswith(TRIED_ON)]
 
 
 def read_results(path: Path) -> dict[str, Suite]:
@@ -158,9 +160,9 @@ def print_table(suites: dict[str, Suite]) -> None:
 
 
 def print_reasons(suites: dict[str, Suite]) -> None:
-    """The first and the last lines of what each failed test said."""
-    for name, said in (entry for suite in suites.values() for entry in suite.said.items()):
-        lines = [line[:MOST_COLUMNS] for line in said.splitlines()]
+    """Prints the first and the last lines of each failed test's message."""
+    for name, message in (entry for suite in suites.values() for entry in suite.messages.items()):
+        lines = [line[:MOST_COLUMNS] for line in message.splitlines()]
         if len(lines) > MOST_LINES:
             half = MOST_LINES // 2
             lines = [*lines[:half], "…", *lines[-half:]]
@@ -168,8 +170,10 @@ def print_reasons(suites: dict[str, Suite]) -> None:
 
 
 def print_slowest(suites: dict[str, Suite]) -> None:
-    took = [(took, name, test) for name, suite in suites.items() for test, took in suite.seconds.items()]
-    slowest = [entry for entry in sorted(took, key=lambda entry: -entry[0]) if entry[0] >= 0.05][:SLOWEST]
+    times = [
+        (seconds, name, test) for name, suite in suites.items() for test, seconds in suite.seconds.items()
+    ]
+    slowest = [entry for entry in sorted(times, key=lambda entry: -entry[0]) if entry[0] >= 0.05][:SLOWEST]
     if slowest:
         print(f"The {len(slowest)} slowest:" if len(slowest) > 1 else "The slowest:")
         for took_seconds, name, test in slowest:
@@ -200,7 +204,7 @@ def main(arguments: list[str]) -> int:
     passed = sum(suite.passed for suite in suites.values())
     failed = sum(suite.failed for suite in suites.values())
     skipped = sum(suite.skipped for suite in suites.values())
-    for line in dict.fromkeys(line for suite in suites.values() for line in suite.tried_on):
+    for line in dict.fromkeys(line for suite in suites.values() for line in suite.adapters):
         print(f"{TRIED_ON}{line}")
     if skipped:
         print("What was skipped is not proved by this run.")

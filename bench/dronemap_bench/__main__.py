@@ -11,8 +11,8 @@ from .measure import measure
 from .programs import ROOT
 
 
-def main(words: list[str]) -> None:
-    options = _options(words)
+def main(arguments: list[str]) -> None:
+    options = _options(arguments)
     chosen = configurations.named(options.configuration)
     if options.seconds:
         chosen = [c.short(options.seconds) for c in chosen]
@@ -28,7 +28,7 @@ def main(words: list[str]) -> None:
     print(report.table(whole))
 
 
-def _options(words: list[str]) -> argparse.Namespace:
+def _options(arguments: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="bench/run", description=__doc__)
     names = ", ".join(c.name for c in configurations.CONFIGURATIONS)
     parser.add_argument("configuration", nargs="*", help=f"which to measure: {names} (default: all)")
@@ -36,7 +36,7 @@ def _options(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--out", type=Path, default=ROOT / "bench" / "results", help="folder for the results")
     parser.add_argument("--name", default="latest", help="name of the result files")
     parser.add_argument("--router", type=Path, help="a mavlink-routerd that gets the same load beside it")
-    return parser.parse_args(words)
+    return parser.parse_args(arguments)
 
 
 def about() -> dict[str, str]:

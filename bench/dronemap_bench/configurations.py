@@ -1,4 +1,4 @@
-"""What is measured."""
+"""Configurations that are measured: vehicles, rates, networks, floods and clients."""
 
 from dataclasses import dataclass, replace
 
@@ -77,7 +77,7 @@ class Configuration:
 
     @property
     def halved(self) -> bool:
-        """What it is about happens in the second half; the first is measured by itself."""
+        """True when its disturbance is in the second half; the first half is measured by itself."""
         return self.flood is not None or self.clients is not None
 
     @property
@@ -168,7 +168,7 @@ CONFIGURATIONS = [
 
 
 def named(names: list[str]) -> list[Configuration]:
-    """Those with these names, in their order; all when none is named."""
+    """The configurations with these names, in their order; all when none is named."""
     known = {c.name: c for c in CONFIGURATIONS}
     unknown = [name for name in names if name not in known]
     if unknown:

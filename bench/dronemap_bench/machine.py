@@ -1,4 +1,4 @@
-"""What the kernel tells about processes and sockets."""
+"""Reads figures of processes and sockets from the kernel."""
 
 import os
 import subprocess
@@ -68,11 +68,11 @@ def resident_bytes(pid: int) -> int:
 
 
 def live_heap_bytes(pid: int) -> int:
-    """What is left of the heap of a Java process after a whole collection, which this makes."""
-    told = subprocess.run(
+    """Bytes of a Java process's heap after a full collection, which this makes."""
+    output = subprocess.run(
         ["jcmd", str(pid), "GC.class_histogram"], capture_output=True, text=True, check=True, timeout=60
     ).stdout
-    return int(told.splitlines()[-1].split()[2])
+    return int(output.splitlines()[-1].split()[2])
 
 
 def kernel_drops(udp_port: int) -> int:

@@ -45,7 +45,7 @@ def _measure(c: Configuration, server: Server, folder: Path) -> Json:
             end = begin + c.seconds + c.settle_seconds
             disturbed = begin + c.seconds / 2
             settled = disturbed + c.settle_seconds
-            sender.tell(str(int(start * 1e9)))
+            sender.send_line(str(int(start * 1e9)))
             _sleep_until(begin - 3)
             paced = [*pace, "--start-nanos", str(int(start * 1e9))]
             where = [*paced, *hosts, "--port", str(server.stream_port), "--key", server.key()]
@@ -53,13 +53,13 @@ def _measure(c: Configuration, server: Server, folder: Path) -> Json:
             calm = programs.start("watch", *where, *_between(begin, disturbed)) if c.halved else None
             flooder = _flooder(c, programs, port, (disturbed, end))
             _sleep_until(begin)
-            before, heard_before = machine.sample(server.pid, server.udp_port), server.frames_in()
+            before, frames_before = machine.sample(server.pid, server.udp_port), server.frames_in()
             own_before = programs.cpu()
             _sleep_until(disturbed)
             middle_bytes = machine.resident_bytes(server.pid)
             clients = _clients(c, programs, server, passphrases, paced, (settled, end))
             _sleep_until(end)
-            after, heard_after = machine.sample(server.pid, server.udp_port), server.frames_in()
+            after, frames_after = machine.sample(server.pid, server.udp_port), server.frames_in()
             own_after = programs.cpu()
             busy_bytes = machine.resident_bytes(server.pid)
             live = _live(server)
@@ -73,7 +73,7 @@ def _measure(c: Configuration, server: Server, folder: Path) -> Json:
         finally:
             programs.stop()
         tlogs = _check(c, server, folder, [*pace, *kind])
-    figures = _figures(heard_after - heard_before, before, after, own_after - own_before)
+    figures = _figures(frames_after - frames_before, before, after, own_after - own_before)
     return figures | {
         "name": c.name,
         "what": c.what,
@@ -93,7 +93,7 @@ def _measure(c: Configuration, server: Server, folder: Path) -> Json:
 
 
 def _figures(messages: int, before: machine.Sample, after: machine.Sample, others: float) -> Json:
-    """By message that the server heard meanwhile: a late sender must not make it look cheap."""
+    """Figures by message that the server received meanwhile: a late sender must not make it look cheap."""
     wall = after.at - before.at
     used = after.process - before.process
     busy = after.machine_busy - before.machine_busy

@@ -33,7 +33,7 @@ class Session:
 
 
 def passphrases(server: Server, clients: int) -> list[str]:
-    """Of as many new viewers as it takes to attach so many clients."""
+    """Passphrases of as many new viewers as so many clients need."""
     root = Session(server, server.key())
     made = []
     for _ in range(-(-clients // CLIENTS_OF_A_USER)):

@@ -30,7 +30,7 @@ def free_port(kind: socket.SocketKind = socket.SOCK_STREAM) -> int:
 
 
 class Server:
-    """Of the measurement alone; in its default configuration but for ports, folder and recording."""
+    """A server of one measurement, in its default configuration but for ports, folder and recording."""
 
     def __init__(
         self,
@@ -186,16 +186,16 @@ class Load:
         return self._process.pid
 
     def await_ready(self) -> None:
-        """Returns when it has said that it is."""
-        self.hear("ready")
+        """Waits until the program has printed that it is ready."""
+        self.await_line("ready")
 
-    def hear(self, word: str) -> None:
+    def await_line(self, word: str) -> None:
         assert self._process.stdout is not None
         line = self._process.stdout.readline()
         if line.strip() != word:
             raise SystemExit(f"A load program said '{line}' instead of '{word}'")
 
-    def tell(self, line: str) -> None:
+    def send_line(self, line: str) -> None:
         assert self._process.stdin is not None
         self._process.stdin.write(line + "\n")
         self._process.stdin.flush()

@@ -1,4 +1,4 @@
-"""What was measured, as a table, a plot and JSON."""
+"""Writes results as a table, a plot and JSON."""
 
 import json
 import math
@@ -59,7 +59,7 @@ def table(results: Json) -> str:
 
 
 def _beside(results: Json) -> list[str]:
-    """What the same load did elsewhere, and what a flood did to the vehicles beside it."""
+    """Lines about the same load through a router, under a flood, and with clients."""
     all_results = results["configurations"]
     lines = [_router(r) for r in all_results if r.get("router")]
     lines += [_flood(r) for r in all_results if r.get("flood")]
@@ -129,7 +129,7 @@ def _line(cells: list[str]) -> str:
 
 
 def plot(results: Json) -> str:
-    """How old positions are when they arrive: percentiles, each step to the right ten times rarer."""
+    """Plots the age of positions on arrival: percentiles, each step to the right ten times rarer."""
     parts = [
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{HEIGHT}" '
         'font-family="sans-serif" font-size="12">',

@@ -1,4 +1,4 @@
-"""`python -m dronemap_bench.robots`: many robots, half of them on WebSockets; what came of their words."""
+"""`python -m dronemap_bench.robots`: many robots, half of them on WebSockets, and what of theirs arrived."""
 
 import argparse
 import json
@@ -36,20 +36,20 @@ def _measure(server: Server, robots: int, rate: int, seconds: int) -> Json:
     try:
         sender.await_ready()
         start = time.monotonic() + LEAD_SECONDS
-        sender.tell(str(int(start * 1e9)))
+        sender.send_line(str(int(start * 1e9)))
         time.sleep(max(0.0, start + seconds / WARM_SHARE - time.monotonic()))
-        before, heard = machine.sample(server.pid, server.robot_udp_port), _heard(server)
+        before, frames = machine.sample(server.pid, server.robot_udp_port), _frames_received(server)
         early = machine.resident_bytes(server.pid)
-        sender.hear("said")
-        after, heard_after = machine.sample(server.pid, server.robot_udp_port), _heard(server)
+        sender.await_line("said")
+        after, frames_after = machine.sample(server.pid, server.robot_udp_port), _frames_received(server)
         late = machine.resident_bytes(server.pid)
-        arrived = _arrived(server, robots, rate * seconds)
-        heard_before_end = _heard(server)
-        sender.tell("all came")
-        sender.hear("beaten")
-        _soon(lambda: _heard(server) >= heard_before_end + robots)
+        arrived = _count_arrived(server, robots, rate * seconds)
+        frames_at_end = _frames_received(server)
+        sender.send_line("all came")
+        sender.await_line("beaten")
+        _wait_until(lambda: _frames_received(server) >= frames_at_end + robots)
         counts = _counts(server)
-        sender.tell("end")
+        sender.send_line("end")
         sent = sender.result(END_SECONDS)
     finally:
         sender.stop()
@@ -66,7 +66,9 @@ def _measure(server: Server, robots: int, rate: int, seconds: int) -> Json:
         "kernelDrops": after.drops,
         "arrived": arrived,
         "cpuPercentOfOneCore": round(100 * (after.process - before.process) / wall, 1),
-        "cpuMicrosPerMessage": round(1e6 * (after.process - before.process) / max(1, heard_after - heard), 1),
+        "cpuMicrosPerMessage": round(
+            1e6 * (after.process - before.process) / max(1, frames_after - frames), 1
+        ),
         "idleMegabytes": round(idle / 1e6, 1),
         "warmMegabytes": round(early / 1e6, 1),
         "lateMegabytes": round(late / 1e6, 1),
@@ -81,15 +83,15 @@ def _counts(server: Server) -> dict[str, Json]:
     }
 
 
-def _heard(server: Server) -> int:
+def _frames_received(server: Server) -> int:
     return sum(int(counts["framesIn"]) for counts in _counts(server).values())
 
 
-def _arrived(server: Server, robots: int, steps: int) -> int:
-    """Robots that are where they said last, each in its own row: soon, or not at all."""
+def _count_arrived(server: Server, robots: int, steps: int) -> int:
+    """Counts robots that are shown where they reported last, each in its own row."""
     found = 0
 
-    def look() -> bool:
+    def count() -> bool:
         nonlocal found
         found = 0
         for drone in server.get("/drones")["drones"]:
@@ -98,22 +100,22 @@ def _arrived(server: Server, robots: int, steps: int) -> int:
             found += (place.get("x"), place.get("y")) == (steps, number)
         return found == robots
 
-    _soon(look)
+    _wait_until(count)
     return found
 
 
-def _soon(is_so: Callable[[], bool]) -> None:
+def _wait_until(is_so: Callable[[], bool]) -> None:
     deadline = time.monotonic() + END_SECONDS
     while not is_so() and time.monotonic() < deadline:
         time.sleep(0.5)
 
 
-def main(words: list[str]) -> None:
+def main(arguments: list[str]) -> None:
     parser = argparse.ArgumentParser(prog="python -m dronemap_bench.robots", description=__doc__)
     parser.add_argument("--robots", type=int, default=500)
     parser.add_argument("--rate", type=int, default=10, help="messages of each a second")
     parser.add_argument("--seconds", type=int, default=300)
-    options = parser.parse_args(words)
+    options = parser.parse_args(arguments)
     print(json.dumps(measure(options.robots, options.rate, options.seconds), indent=2))
 
 

@@ -24,7 +24,7 @@ def measure(c: Configuration, binary: Path) -> Json:
         with _running(binary, into, out) as pid:
             sender.await_ready()
             start = time.monotonic() + LEAD_SECONDS
-            sender.tell(str(int(start * 1e9)))
+            sender.send_line(str(int(start * 1e9)))
             sent = sender.result(c.warm_up + c.seconds + END_SECONDS)
             time.sleep(1)
             used, wall = machine.cpu(pid), time.monotonic() - start

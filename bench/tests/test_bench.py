@@ -1,4 +1,4 @@
-"""That the benchmark measures at all (short), and that the goals are met (soak)."""
+"""Checks that the benchmark measures at all (short), and that the goals are met (soak)."""
 
 import json
 import os
@@ -33,14 +33,14 @@ BAD = Configuration(
 
 
 @pytest.fixture
-def soon(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What runs for seconds would spend a third of its work on compiling well; no figure is compared here."""
+def short_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Makes runs of seconds compile less: no figure is compared here."""
     given = os.environ.get("JAVA_TOOL_OPTIONS", "")
     monkeypatch.setenv("JAVA_TOOL_OPTIONS", f"{given} -XX:TieredStopAtLevel=1")
 
 
-@pytest.mark.usefixtures("soon")
-def test_every_frame_sent_is_in_a_recording_byte_for_byte() -> None:
+@pytest.mark.usefixtures("short_runs")
+def test_every_frame_sent_is_recorded_byte_for_byte() -> None:
     result = measure(SMALL)
     tlogs = result["tlogs"]
     assert (tlogs["recordings"], tlogs["complete"], tlogs["vehicles"]) == (5, 5, 5), result
@@ -55,8 +55,8 @@ def test_every_frame_sent_is_in_a_recording_byte_for_byte() -> None:
     assert 0.95 <= report.delivered(result) <= 1.05, result["clients"]
 
 
-@pytest.mark.usefixtures("soon")
-def test_a_bad_network_is_felt_and_its_delay_is_seen() -> None:
+@pytest.mark.usefixtures("short_runs")
+def test_impairment_delays_and_loses_messages() -> None:
     result = measure(BAD)
     assert result["tlogs"]["missing"] > 0, "nothing was lost on the way"
     assert result["tlogs"]["late"] > 0, "nothing was overtaken on the way"
@@ -90,7 +90,7 @@ def test_results_are_written_as_table_plot_and_json(tmp_path: Path) -> None:
     assert (tmp_path / "x.svg").read_text().count("<polyline") == 1
 
 
-def test_an_unknown_configuration_is_named() -> None:
+def test_unknown_configuration_is_refused_by_name() -> None:
     with pytest.raises(SystemExit, match="There is no configuration nonsense"):
         main(["nonsense"])
 
@@ -98,7 +98,7 @@ def test_an_unknown_configuration_is_named() -> None:
 @pytest.mark.soak
 @pytest.mark.parametrize("name", ["fleet-100", "fleet-200"])
 @pytest.mark.parametrize("again", [1, 2])
-def test_no_frame_of_a_big_fleet_is_lost(name: str, again: int) -> None:
+def test_large_fleet_loses_no_frame(name: str, again: int) -> None:
     result = measure(configurations.named([name])[0])
     assert result["sent"]["refused"] == 0, result
     assert result["kernelDrops"] == 0, result
@@ -107,12 +107,12 @@ def test_no_frame_of_a_big_fleet_is_lost(name: str, again: int) -> None:
 
 
 @pytest.mark.soak
-def test_a_message_costs_less_than_a_router_takes_for_it() -> None:
+def test_cpu_time_per_message_meets_goal() -> None:
     assert measure(configurations.named(["forwarding"])[0])["cpuMicrosPerMessage"] <= 8.8
 
 
 @pytest.mark.soak
-def test_positions_of_a_small_fleet_arrive_within_a_millisecond() -> None:
+def test_position_latency_of_small_fleet_is_below_one_millisecond() -> None:
     result = measure(configurations.named(["latency"])[0])
     assert report.millis(result, "50.0") <= 1, result
     assert report.millis(result, "99.0") <= 5, result
@@ -128,7 +128,7 @@ def test_two_thousand_vehicles_stay_live() -> None:
 
 @pytest.mark.soak
 @pytest.mark.parametrize("name", ["flood-broken", "flood-hostile"])
-def test_a_flood_from_one_address_leaves_other_vehicles_alone(name: str) -> None:
+def test_flood_from_one_address_does_not_affect_other_vehicles(name: str) -> None:
     result = measure(configurations.named([name])[0])
     for calm, flooded in zip(result["calm"]["ageByHost"], result["stream"]["ageByHost"], strict=True):
         assert flooded["percentiles"]["99.0"] <= 2 * calm["percentiles"]["99.0"], result
@@ -137,13 +137,13 @@ def test_a_flood_from_one_address_leaves_other_vehicles_alone(name: str) -> None
 
 @pytest.mark.soak
 @pytest.mark.parametrize("name", ["imatisse-1b", "imatisse-3b"])
-def test_an_unstable_network_adds_its_delay_and_little_more(name: str) -> None:
+def test_unstable_network_adds_little_more_than_its_delay(name: str) -> None:
     result = measure(configurations.named([name])[0])
     assert report.millis(result, "50.0") <= 500 + 10, result
 
 
 @pytest.mark.soak
-def test_fifty_ground_stations_and_a_stuck_one_leave_the_vehicles_own_path_as_it_was() -> None:
+def test_fifty_ground_stations_and_a_stuck_one_do_not_slow_vehicle_path() -> None:
     result = measure(configurations.named(["attached"])[0])
     assert report.delivered(result) >= 0.999, result["clients"]
     calm, watched = (result[when]["age"]["percentiles"] for when in ("calm", "stream"))

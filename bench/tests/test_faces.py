@@ -1,9 +1,9 @@
-"""That calls and viewers can be measured at all (short), what the figures come to, and the goals (soak)."""
+"""Checks that calls and viewers can be measured (short), the summary, and the goals (soak)."""
 
 import pytest
 
 from dronemap_bench.faces import report, trial
-from dronemap_bench.faces.calls import in_turn, percentile
+from dronemap_bench.faces.calls import percentile, time_interleaved
 from dronemap_bench.programs import SERVER_JAR, Json
 
 SMALL = trial.Options(
@@ -20,28 +20,30 @@ SMALL = trial.Options(
 )
 
 
-def test_calls_and_viewers_are_timed_and_counted() -> None:
+def test_calls_and_viewers_are_measured() -> None:
     result = trial.measure(SMALL, SERVER_JAR)
-    told = report.summary({report.NOW: [result]})
-    assert all(figure[report.NOW]["median"] > 0 for name, figure in told.items() if "more" not in name), told
+    summary = report.summary({report.NOW: [result]})
+    assert all(figure[report.NOW]["median"] > 0 for name, figure in summary.items() if "more" not in name), (
+        summary
+    )
     assert result["stream"]["fewest"] > 0
     assert result["stream"]["shareOfPositions"] > 0.5
 
 
 @pytest.mark.soak
-def test_calls_cost_little_beside_a_thousand_vehicles() -> None:
+def test_call_latency_beside_a_thousand_vehicles_meets_goals() -> None:
     rounds = [trial.measure(trial.Options(), SERVER_JAR) for _ in range(3)]
     assert report.missed(report.summary({report.NOW: rounds})) == []
 
 
-def test_calls_are_made_in_turn() -> None:
+def test_call_kinds_alternate() -> None:
     made: list[str] = []
-    took = in_turn(2, lambda: made.append("a"), lambda: made.append("b"))
+    took = time_interleaved(2, lambda: made.append("a"), lambda: made.append("b"))
     assert made == ["a", "b", "a", "b"]
     assert [len(times) for times in took] == [2, 2]
 
 
-def test_a_percentile_is_one_of_the_values() -> None:
+def test_percentile_is_one_of_the_values() -> None:
     values = [float(value) for value in range(100, 0, -1)]
     assert percentile(values, 0.5) == 51
     assert percentile(values, 0.95) == 96
@@ -55,10 +57,10 @@ def figures(milliseconds: float) -> Json:
     return {"calls": {name: spread for name in names} | {"soapMoreAtP50": milliseconds}, "stream": stream}
 
 
-def test_the_median_of_the_rounds_is_held_against_the_goals() -> None:
-    told = report.summary({report.NOW: [figures(1), figures(1.5), figures(99)]})
-    assert told["REST, list of all, p95 ms"][report.NOW] == {"median": 1.5, "least": 1, "most": 99}
-    assert report.missed(told) == []
+def test_median_of_rounds_is_compared_with_goals() -> None:
+    summary = report.summary({report.NOW: [figures(1), figures(1.5), figures(99)]})
+    assert summary["REST, list of all, p95 ms"][report.NOW] == {"median": 1.5, "least": 1, "most": 99}
+    assert report.missed(summary) == []
     missed = report.missed(report.summary({report.NOW: [figures(10)]}))
     assert missed == [
         "command by REST, p95 ms: 10 instead of less than 10.0",
@@ -66,7 +68,7 @@ def test_the_median_of_the_rounds_is_held_against_the_goals() -> None:
     ]
 
 
-def test_the_table_has_both_versions_beside_each_other() -> None:
-    told = report.summary({report.NOW: [figures(1)], report.BEFORE: [figures(2)]})
-    text = report.table(told, {"processor": "p", "java": "j", "revision": "r"}, 0.1)
+def test_table_has_a_column_for_each_version() -> None:
+    summary = report.summary({report.NOW: [figures(1)], report.BEFORE: [figures(2)]})
+    text = report.table(summary, {"processor": "p", "java": "j", "revision": "r"}, 0.1)
     assert "| command by REST, p95 ms | 1 (1 to 1) | 2 (2 to 2) |" in text

@@ -1,4 +1,4 @@
-"""What the report of `bench/follow` says of measurements."""
+"""Checks the report of `bench/follow`."""
 
 import json
 from pathlib import Path
@@ -23,7 +23,7 @@ def row(walk: str, mean: float, noise: str = EXACT, way: str = FORESEEN, vehicle
     return Row(walk, SLOW, noise, way, mean, mean, 3.8, quantiles, 20.0, 0.5, [mean, mean], vehicle)
 
 
-def test_a_limit_is_kept_or_missed() -> None:
+def test_limits_are_kept_or_missed() -> None:
     rows = [
         row("walking", 0.5),
         row("walking", 4.9, PLACE),
@@ -36,7 +36,7 @@ def test_a_limit_is_kept_or_missed() -> None:
     assert "| running: foretold, share of not foretold | 0.50 | 0.70 | kept |" in table
 
 
-def test_a_real_autopilot_has_its_limits_its_column_and_its_curve() -> None:
+def test_real_autopilot_has_limits_column_and_curve() -> None:
     rows = [row("walking", 0.5), row("running", 0.7), row("walking", 1.2, vehicle="ArduCopter 4.5.6")]
     table = report.table(ABOUT, 3, rows)
     assert "| walking, exact phone: mean | 0.50 | 1.00 | kept |" in table
@@ -48,7 +48,7 @@ def test_a_real_autopilot_has_its_limits_its_column_and_its_curve() -> None:
     assert page.count("<polyline") == 6
 
 
-def test_a_line_of_a_trial_is_a_row_again(tmp_path: Path) -> None:
+def test_trial_line_parses_to_row(tmp_path: Path) -> None:
     one = row("walking", 0.5)
     report.write(tmp_path, "x", ABOUT, 3, [one])
     whole = json.loads((tmp_path / "x.json").read_text())
@@ -58,14 +58,14 @@ def test_a_line_of_a_trial_is_a_row_again(tmp_path: Path) -> None:
     assert page.count("<table>") == page.count("</table>") == 2
 
 
-def test_a_track_is_metres_after_seconds() -> None:
+def test_gpx_track_becomes_seconds_and_metres() -> None:
     first, second, third = gpx.points(TRACK)
     assert first == (0, 0, 0)
     assert second == pytest.approx((8, 0, 11.12), abs=0.01)
     assert third == pytest.approx((20.5, 15.17, 11.12), abs=0.01)
 
 
-def test_a_leap_is_left_out_until_it_could_have_been_run() -> None:
+def test_gpx_outliers_are_left_out() -> None:
     times = "".join(
         f'<trkpt lat="{47 + north / 111_195}" lon="8.0"><time>2026-05-01T10:00:{second:02}Z</time></trkpt>'
         for second, north in [(0, 0), (1, 4), (2, 90), (3, 94), (4, 98), (5, 102)]
@@ -73,7 +73,7 @@ def test_a_leap_is_left_out_until_it_could_have_been_run() -> None:
     assert [second for second, _, _ in gpx.points(f"<gpx>{times}</gpx>")] == [0, 1, 5]
 
 
-def test_a_file_without_times_is_refused(tmp_path: Path) -> None:
+def test_gpx_without_times_is_refused(tmp_path: Path) -> None:
     file = tmp_path / "way.gpx"
     file.write_text("<gpx/>")
     with pytest.raises(SystemExit, match="no track with times"):

@@ -1,11 +1,11 @@
-"""That drops of the kernel are seen: a measurement that cannot see them would always find none."""
+"""Checks that drops of the kernel are counted: a measurement that cannot see them would find none."""
 
 import socket
 
 from dronemap_bench import machine
 
 
-def test_datagrams_that_the_kernel_threw_away_are_counted() -> None:
+def test_kernel_drops_are_counted() -> None:
     with (
         socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as full,
         socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender,

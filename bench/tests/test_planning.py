@@ -14,12 +14,12 @@ SQUARE = Problem("euclidean", "longest", ((0.0, 0.0), (10.0, 0.0)), ((0.0, 5.0),
 
 
 def result(solver: str, gap: float, seed: int = 1, instance: str = "square") -> runs.Result:
-    plan = runs.Plan(solver, seed, 1.0, 1, 0.0, False)
+    plan = runs.SolverRun(solver, seed, 1.0, 1, 0.0, False)
     points = [(0.1, gap + 5), (0.5, gap)]
     return runs.Result(instance, "longest", plan, "", 18, gap, 1.01, 1.1, 3.0, points, [[0], [1, 2]])
 
 
-def test_tours_are_measured_from_and_to_their_depots() -> None:
+def test_tour_length_includes_depot_legs() -> None:
     assert checker.value(SQUARE, [[0], [1, 2]]) == 18
     assert checker.value(Problem("euclidean", "sum", *(SQUARE.depots, SQUARE.waypoints)), [[0], [1, 2]]) == 28
     assert checker.faults(SQUARE, [[0], [1, 2]]) == []
@@ -38,11 +38,11 @@ def test_att_distances_are_rounded_up() -> None:
         ([[0, 1, 2]], "1 tours for 2 drones"),
     ],
 )
-def test_wrong_tours_are_seen(tours: list[list[int]], fault: str) -> None:
+def test_wrong_tours_are_reported(tours: list[list[int]], fault: str) -> None:
     assert fault in checker.faults(SQUARE, tours)
 
 
-def test_every_drone_flies_where_the_sum_counts() -> None:
+def test_sum_objective_needs_every_drone() -> None:
     idle = [[0, 1, 2], []]
     assert checker.faults(SQUARE, idle) == []
     whole = Problem("euclidean", "sum", SQUARE.depots, SQUARE.waypoints)
@@ -53,7 +53,7 @@ def _scale(shifted: Moved) -> float:
     return math.dist(*shifted.problem.depots) / math.dist(*SQUARE.depots)
 
 
-def test_a_moved_instance_is_the_same_one_to_the_judge_and_another_to_a_solver() -> None:
+def test_moved_instance_has_same_value_and_other_coordinates() -> None:
     for seed in range(1, 20):
         shifted = problems.moved(SQUARE, seed)
         tours = [[2], [0, 1]]
@@ -65,7 +65,7 @@ def test_a_moved_instance_is_the_same_one_to_the_judge_and_another_to_a_solver()
         assert problems.moved(SQUARE, seed) == shifted
 
 
-def test_moving_keeps_distances_that_are_rounded() -> None:
+def test_moving_keeps_rounded_distances() -> None:
     att = Problem("att", "longest", SQUARE.depots, SQUARE.waypoints)
     for seed in range(1, 20):
         shifted = problems.moved(att, seed)
@@ -89,14 +89,14 @@ def data(folder: Path) -> Path:
     return folder
 
 
-def test_rows_are_read_with_a_depot_for_each_drone(tmp_path: Path) -> None:
+def test_instances_are_read_with_a_depot_for_each_drone(tmp_path: Path) -> None:
     one, several = problems.read(data(tmp_path))
     assert one == Row("a_m2", 4, True, Problem("euclidean", "longest", ((0, 0), (0, 0)), ((1, 0), (2, 0))))
     assert several.problem.depots == ((0, 0), (9, 0), (9, 0))
     assert (several.published, several.problem.aim) == (False, "sum")
 
 
-def test_a_solver_is_told_no_name(tmp_path: Path) -> None:
+def test_solver_input_has_no_instance_name(tmp_path: Path) -> None:
     one, _ = problems.read(data(tmp_path))
     assert one.problem.text().splitlines() == [
         "metric euclidean",
@@ -108,36 +108,36 @@ def test_a_solver_is_told_no_name(tmp_path: Path) -> None:
     ]
 
 
-def test_an_answer_is_taken_apart() -> None:
+def test_solver_answer_is_parsed() -> None:
     lines = ["about x y", "improved 0.5 12.25", "used 1.01", "tour 0 2", "tour ", "tour 1"]
-    assert runs.parse(lines) == runs.Answer("x y", [(0.5, 12.25)], 1.01, [[0, 2], [], [1]])
+    assert runs.parse(lines) == runs.SolverOutput("x y", [(0.5, 12.25)], 1.01, [[0, 2], [], [1]])
 
 
-def answering(monkeypatch: pytest.MonkeyPatch, text: str) -> None:
+def stub_solver(monkeypatch: pytest.MonkeyPatch, text: str) -> None:
     monkeypatch.setattr(runs, "_java", lambda file, plan: text)
 
 
-def test_a_result_counts_only_after_its_tours_were_judged(monkeypatch: pytest.MonkeyPatch) -> None:
-    row, plan = Row("square", 16.0, True, SQUARE), runs.Plan("x", 1, 1.0, 1, 0.0, False)
-    answering(monkeypatch, "improved 0.5 18\nused 1\ntour 0\ntour 1 2\n")
+def test_result_is_checked_before_it_counts(monkeypatch: pytest.MonkeyPatch) -> None:
+    row, plan = Row("square", 16.0, True, SQUARE), runs.SolverRun("x", 1, 1.0, 1, 0.0, False)
+    stub_solver(monkeypatch, "improved 0.5 18\nused 1\ntour 0\ntour 1 2\n")
     measured = runs.run(row, plan)
     assert (measured.value, measured.gap_percent, measured.points) == (18, 12.5, [(0.5, 12.5)])
-    answering(monkeypatch, "improved 0.5 18\nused 1\ntour 0\ntour 1\n")
+    stub_solver(monkeypatch, "improved 0.5 18\nused 1\ntour 0\ntour 1\n")
     with pytest.raises(runs.RunError, match="waypoint 2 is visited 0 times"):
         runs.run(row, plan)
-    answering(monkeypatch, "improved 0.5 17\nused 1\ntour 0\ntour 1 2\n")
+    stub_solver(monkeypatch, "improved 0.5 17\nused 1\ntour 0\ntour 1 2\n")
     with pytest.raises(runs.RunError, match="says 17"):
         runs.run(row, plan)
-    answering(monkeypatch, "used 1\ntour 0\ntour 1 2\n")
+    stub_solver(monkeypatch, "used 1\ntour 0\ntour 1 2\n")
     with pytest.raises(runs.RunError, match="tells of no plan"):
         runs.run(row, plan)
 
 
-def test_tours_of_a_moved_instance_are_those_of_the_instance(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_tours_of_moved_instance_are_mapped_back(monkeypatch: pytest.MonkeyPatch) -> None:
     shifted = problems.moved(SQUARE, 5)
     value = checker.value(shifted.problem, [[0], [1, 2]])
-    answering(monkeypatch, f"improved 0.5 {value}\nused 1\ntour 0\ntour 1 2\n")
-    measured = runs.run(Row("square", 16.0, True, SQUARE), runs.Plan("x", 5, 1.0, 1, 0.0, True))
+    stub_solver(monkeypatch, f"improved 0.5 {value}\nused 1\ntour 0\ntour 1 2\n")
+    measured = runs.run(Row("square", 16.0, True, SQUARE), runs.SolverRun("x", 5, 1.0, 1, 0.0, True))
     assert measured.tours == shifted.back([[0], [1, 2]])
     assert measured.value == pytest.approx(value / _scale(shifted))
 
@@ -145,7 +145,7 @@ def test_tours_of_a_moved_instance_are_those_of_the_instance(monkeypatch: pytest
 ABOUT = {"at": "now", "processor": "a computer", "java": "17", "revision": "abc"}
 
 
-def test_the_table_shows_medians_and_who_is_better() -> None:
+def test_table_shows_medians_and_best_solver() -> None:
     results = [result("dronemap", gap, seed) for seed, gap in enumerate((0.5, 0.2, 9.0), 1)]
     results += [result("other", gap, seed) for seed, gap in enumerate((0.45, 0.45, 0.4), 1)]
     results += [result("dronemap", 2, instance="ring"), result("other", 1, instance="ring")]
@@ -160,7 +160,7 @@ def test_the_table_shows_medians_and_who_is_better() -> None:
     )
 
 
-def test_the_plot_shows_the_run_that_ends_at_the_median() -> None:
+def test_plot_shows_median_run() -> None:
     several = [result("dronemap", gap, seed) for seed, gap in enumerate((3.0, 1.0, 2.0), 1)]
     chosen = plot.typical(several)
     assert chosen is not None
@@ -170,15 +170,15 @@ def test_the_plot_shows_the_run_that_ends_at_the_median() -> None:
     assert "square (longest)" in picture
 
 
-def test_modes_choose_their_rows() -> None:
+def test_modes_select_their_instances() -> None:
     row = Row("mtsp51_m3", 1, True, SQUARE)
     ours = Row("own", 1, False, SQUARE)
-    takes = {mode.name for mode in modes.MODES if mode.takes(row)}
-    assert takes == {"minmax-1s", "minmax-10s", "libraries", "moved", "baselines", "depots-60s"}
-    assert not modes.named("minmax-1s").takes(ours)
+    selects = {mode.name for mode in modes.MODES if mode.selects(row)}
+    assert selects == {"minmax-1s", "minmax-10s", "libraries", "moved", "baselines", "depots-60s"}
+    assert not modes.named("minmax-1s").selects(ours)
 
 
-def test_written_results_are_judged_again(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_written_results_are_checked_again(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     rows = [Row("square", 16, True, SQUARE)]
     report.write(tmp_path, "good", ABOUT, [result("x", 1)])
     command.check(tmp_path / "good.json", rows)
@@ -191,13 +191,13 @@ def test_written_results_are_judged_again(tmp_path: Path, capsys: pytest.Capture
     assert "says 18" in capsys.readouterr().out
 
 
-def test_without_instances_it_says_what_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_missing_instances_are_named(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("DRONEMAP_TEST_DATA", raising=False)
     with pytest.raises(SystemExit, match="--data FOLDER"):
         command.main(["minmax-1s"])
 
 
-def test_re_plans_are_read_and_told_in_figures() -> None:
+def test_replan_output_is_parsed_and_tabulated() -> None:
     cases = losses.parse(
         ["noise", "case 2.0 90.0 0 120.0 101.0 100.0 3", "case 4.0 95.5 1 130.0 99.0 100.0 9"]
     )
@@ -207,7 +207,7 @@ def test_re_plans_are_read_and_told_in_figures() -> None:
     assert "| a plan at once, ms | 3.00 | 3.00 | 4.00 | 4.00 |" in table
 
 
-def test_a_percentile_is_a_value_that_was_measured() -> None:
+def test_replan_percentile_is_a_measured_value() -> None:
     assert losses.percentile([float(value) for value in range(1, 201)], 95) == 190
     assert losses.percentile([3.0], 95) == 3
 
@@ -220,7 +220,7 @@ STUDIED = [
 ]
 
 
-def test_a_study_counts_what_was_left_and_names_what_broke_a_rule() -> None:
+def test_study_counts_unserved_waypoints_and_names_broken_rules() -> None:
     done = study.parse(iter(STUDIED))
     assert [run.seed for run in done.runs] == [1, 2]
     text = study.table(done)
@@ -232,7 +232,7 @@ def test_a_study_counts_what_was_left_and_names_what_broke_a_rule() -> None:
     assert "- seed 3 two drones fly to w7" in text
 
 
-def test_a_study_draws_the_share_of_runs_up_to_each_value() -> None:
+def test_study_plots_cumulative_shares() -> None:
     picture = study.picture(study.parse(iter(STUDIED)))
     assert picture.count("<polyline") == 4
     assert "1 lost: 1" in picture and "none lost: 1" in picture
@@ -246,7 +246,7 @@ FLOWN = [
 ]
 
 
-def test_flown_plans_are_held_against_what_was_foretold() -> None:
+def test_flown_plans_are_compared_with_forecast() -> None:
     flights = flown.parse(FLOWN)
     assert [(flight.figures, flight.seed) for flight in flights] == [
         ("assumed", 1),
@@ -256,7 +256,7 @@ def test_flown_plans_are_held_against_what_was_foretold() -> None:
     text = flown.table(flights)
     assert "| time, figures measured of that copter | 2 | +0.50 | 4.00 | 4.00 |" in text
     assert "| energy, figures as its autopilot is delivered | 1 | -62.00 | 62.00 | 62.00 |" in text
-    assert flown.keeps_its_word(flights)
+    assert flown.meets_forecast(flights)
     late = flown.parse(["flown 3 measured 1.00 0 4 100.00 105.10 1000 1000"])
     thirsty = flown.parse(["flown 3 measured 1.00 0 4 100.00 100.00 1000 1110"])
-    assert not flown.keeps_its_word(late) and not flown.keeps_its_word(thirsty)
+    assert not flown.meets_forecast(late) and not flown.meets_forecast(thirsty)

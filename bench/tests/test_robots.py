@@ -8,7 +8,7 @@ ROBOTS, RATE, SECONDS = 500, 10, 300
 
 
 @pytest.mark.soak
-def test_nothing_is_lost_of_what_many_robots_say_and_memory_stays_flat() -> None:
+def test_many_robots_lose_no_message_and_memory_stays_flat() -> None:
     result = measure(ROBOTS, RATE, SECONDS)
     sent = result["sent"]
     assert sent["refused"] == 0, result

@@ -1,4 +1,4 @@
-"""That strangers can be let loose at all (short), what their figures come to, and the goals (soak)."""
+"""Checks that strangers can be run (short), the summary, and the goals (soak)."""
 
 import socket
 from typing import Any
@@ -23,24 +23,24 @@ SMALL = trial.Options(
 
 
 @pytest.mark.soak
-def test_strangers_at_each_port_are_cut_and_the_others_go_on() -> None:
+def test_endless_messages_are_cut_and_other_clients_go_on() -> None:
     result = trial.run(SMALL)
-    told = report.summary(result)
-    assert set(told["ports"]) == {"stream", "robots", "vehicles", trial.CONTROL}
-    for name, port in told["ports"].items():
+    summary = report.summary(result)
+    assert set(summary["ports"]) == {"stream", "robots", "vehicles", trial.CONTROL}
+    for name, port in summary["ports"].items():
         assert port["gigabytes"] > 0, (name, port)
         assert port["connections"] > SMALL.strangers, f"nobody was cut at {name}: {port}"
     assert result["liveVehiclesAtTheEnd"] == VEHICLES
-    assert max(told["ports"]["stream"]["heapMegabytes"]) < max(told["calmHeapMegabytes"]) + 20
-    assert "| vehicles |" in report.table(told, {"processor": "p", "java": "j", "revision": "r"})
+    assert max(summary["ports"]["stream"]["heapMegabytes"]) < max(summary["calmHeapMegabytes"]) + 20
+    assert "| vehicles |" in report.table(summary, {"processor": "p", "java": "j", "revision": "r"})
 
 
 @pytest.mark.soak
 @pytest.mark.parametrize("many_addresses", [True, False], ids=["two gigabytes", "from one address"])
-def test_twenty_strangers_at_each_port_cost_the_others_little(many_addresses: bool) -> None:
+def test_twenty_strangers_at_each_port_do_not_slow_other_clients(many_addresses: bool) -> None:
     result = trial.run(trial.Options(many_addresses=many_addresses))
-    told = report.summary(result)
-    assert report.missed(told, result, VEHICLES) == [], told
+    summary = report.summary(result)
+    assert report.missed(summary, result, VEHICLES) == [], summary
 
 
 def window(what: str, p99: float, heap: float = 50, gigabytes: float = 3) -> Json:
@@ -71,7 +71,7 @@ def ended(live: int) -> Json:
     ],
     ids=["met", "slow", "heap", "little sent"],
 )
-def test_tells_which_goals_are_missed(attacked: dict[str, Any], missed: list[str]) -> None:
+def test_missed_goals_are_named(attacked: dict[str, Any], missed: list[str]) -> None:
     calm = [window(trial.CALM, 10) | {"before": name} for name in ("stream", trial.CONTROL)]
     windows = [*calm, window("stream", **attacked), window(trial.CONTROL, 99, 99, 0)]
     found = report.missed(report.summary({"windows": windows}), ended(VEHICLES), VEHICLES)
@@ -79,29 +79,29 @@ def test_tells_which_goals_are_missed(attacked: dict[str, Any], missed: list[str
     assert all(sentence.startswith(begin) for sentence, begin in zip(found, missed, strict=True))
 
 
-def test_a_vehicle_that_is_gone_at_the_end_is_told() -> None:
-    told = report.summary({"windows": [window(trial.CALM, 10)]})
-    assert report.missed(told, ended(VEHICLES - 1), VEHICLES) == ["9 of 10 vehicles were live at the end"]
+def test_vehicle_lost_at_the_end_is_reported() -> None:
+    summary = report.summary({"windows": [window(trial.CALM, 10)]})
+    assert report.missed(summary, ended(VEHICLES - 1), VEHICLES) == ["9 of 10 vehicles were live at the end"]
 
 
 @pytest.mark.parametrize("length", [0, 125, 126, 65_535, 65_536])
-def test_frames_are_read_as_they_were_written_however_they_are_cut(length: int) -> None:
+def test_websocket_frames_are_read_in_any_fragmentation(length: int) -> None:
     here, there = socket.socketpair()
     with here, there:
         reader = wire.Reader(there)
         masked = wire.frame(wire.BINARY, b"x" * length)
         head = len(masked) - length - 4
         # A server masks nothing.
-        said = masked[:1] + bytes([masked[1] & 0x7F]) + masked[2:head] + masked[head + 4 :]
-        here.sendall(said[:1])
+        unmasked = masked[:1] + bytes([masked[1] & 0x7F]) + masked[2:head] + masked[head + 4 :]
+        here.sendall(unmasked[:1])
         assert list(reader.frames()) == []
-        here.sendall(said[1:])
+        here.sendall(unmasked[1:])
         found: list[bytes] = []
         while not found:
             found += reader.frames()
         assert found == [b"x" * length]
 
 
-def test_heartbeats_are_found_behind_other_frames() -> None:
+def test_heartbeat_is_found_after_other_frames() -> None:
     assert mavlink.has_heartbeat(mavlink.position(1, 2, 3, 4) + mavlink.heartbeat(1, 7))
     assert not mavlink.has_heartbeat(mavlink.position(1, 2, 3, 4))

@@ -15,10 +15,10 @@ def battery_low(link: VehicleLink) -> None:
     start(link)
     link.set_parameter("SIM_BATT_VOLTAGE", 11.0)
     disarmed(link, 180)
-    link.listen(8)
-    link.ask_mode("GUIDED")
+    link.pump_for(8)
+    link.set_mode_and_acknowledge("GUIDED")
     arm(link)
-    link.listen(3)
+    link.pump_for(3)
 
 
 def battery_critical(link: VehicleLink) -> None:
@@ -29,8 +29,8 @@ def battery_critical(link: VehicleLink) -> None:
     arrived(link, target)
     start(link)
     link.set_parameter("SIM_BATT_VOLTAGE", 11.0)
-    link.until("RTL", lambda: link.mode == "RTL", 30)
-    link.listen(4)
+    link.wait_until("RTL", lambda: link.mode == "RTL", 30)
+    link.pump_for(4)
     link.set_parameter("SIM_BATT_VOLTAGE", 10.0)
     disarmed(link, 180)
 
@@ -40,16 +40,16 @@ def battery_low_by_default(link: VehicleLink) -> None:
     airborne(link)
     start(link)
     link.set_parameter("SIM_BATT_VOLTAGE", 10.2)
-    link.listen(20)
+    link.pump_for(20)
 
 
 def ground_station_lost(link: VehicleLink) -> None:
     """Heartbeats stop for 15 s and come back."""
     airborne(link)
     start(link)
-    link.listen(3)
+    link.pump_for(3)
     link.heartbeats_on = False
-    link.listen(15)
+    link.pump_for(15)
     link.heartbeats_on = True
     disarmed(link, 180)
 
@@ -58,11 +58,11 @@ def ground_station_lost_by_default(link: VehicleLink) -> None:
     """Heartbeats stop for 15 s with the default setting: nothing happens."""
     airborne(link)
     start(link)
-    link.listen(3)
+    link.pump_for(3)
     link.heartbeats_on = False
-    link.listen(15)
+    link.pump_for(15)
     link.heartbeats_on = True
-    link.listen(3)
+    link.pump_for(3)
 
 
 def ground_station_lost_in_auto(link: VehicleLink) -> None:
@@ -70,23 +70,23 @@ def ground_station_lost_in_auto(link: VehicleLink) -> None:
     ready(link)
     upload(link, fly_square(link.position)[:5])
     climb_to(link, 20)
-    link.ask_mode("AUTO")
-    link.until("item 2", lambda: link.last["MISSION_CURRENT"].seq == 2, 30)
+    link.set_mode_and_acknowledge("AUTO")
+    link.wait_until("item 2", lambda: link.last["MISSION_CURRENT"].seq == 2, 30)
     start(link)
-    link.listen(3)
+    link.pump_for(3)
     link.heartbeats_on = False
-    link.listen(15)
+    link.pump_for(15)
     link.heartbeats_on = True
-    link.listen(3)
+    link.pump_for(3)
 
 
 def motor_failure(link: VehicleLink) -> None:
     """One motor of four stops at 30 m."""
-    link.ask(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, mavlink.MAVLINK_MSG_ID_ATTITUDE, 100_000)
+    link.send_and_acknowledge(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, mavlink.MAVLINK_MSG_ID_ATTITUDE, 100_000)
     airborne(link, 30)
     start(link)
     link.set_parameter("SIM_ENGINE_MUL", 0)
-    link.listen(45)
+    link.pump_for(45)
 
 
 def gps_lost(link: VehicleLink) -> None:
@@ -94,7 +94,7 @@ def gps_lost(link: VehicleLink) -> None:
     airborne(link)
     start(link)
     link.set_parameter("SIM_GPS_DISABLE", 1)
-    link.listen(20)
+    link.pump_for(20)
     link.set_parameter("SIM_GPS_DISABLE", 0)
     disarmed(link, 180)
 
@@ -103,8 +103,8 @@ def gps_missing_on_ground(link: VehicleLink) -> None:
     """GPS gone before arming."""
     ready(link)
     link.set_parameter("SIM_GPS_DISABLE", 1)
-    link.listen(12)
+    link.pump_for(12)
     start(link)
-    link.ask_mode("GUIDED")
+    link.set_mode_and_acknowledge("GUIDED")
     arm(link)
-    link.listen(3)
+    link.pump_for(3)

@@ -17,9 +17,9 @@ from flying import (
     climb_to,
     disarmed,
     go_to,
-    lead,
     north_of_here,
     ready,
+    send_moving_setpoint,
     start,
     take_off,
 )
@@ -34,8 +34,8 @@ def guided_takeoff(link: VehicleLink) -> None:
     ready(link)
     start(link)
     climb_to(link, 20)
-    link.listen(8)
-    link.ask(mavlink.MAV_CMD_NAV_LAND)
+    link.pump_for(8)
+    link.send_and_acknowledge(mavlink.MAV_CMD_NAV_LAND)
     disarmed(link)
 
 
@@ -46,23 +46,23 @@ def go_to_by_setpoint(link: VehicleLink) -> None:
     target = north_of_here(link, 150)
     go_to(link, target, 20)
     arrived(link, target)
-    link.listen(2)
-    link.ask_mode("LOITER")
+    link.pump_for(2)
+    link.set_mode_and_acknowledge("LOITER")
     go_to(link, north_of_here(link, -50), 20)
-    link.listen(6)
+    link.pump_for(6)
 
 
-def led_by_places(link: VehicleLink) -> None:
-    """Ten times a second a place that moves north at 5 m/s, and to look east; after 15 s not a word more."""
+def follow_moving_setpoint(link: VehicleLink) -> None:
+    """Ten setpoints a second that move north at 5 m/s and look east; after 15 s none any more."""
     airborne(link)
     latitude, longitude = link.position
     start(link)
     began = time.monotonic()
     while (seconds := time.monotonic() - began) < LED_SECONDS:
         moved = round(LED_NORTH * seconds * DEGREES_E7_PER_METER_NORTH)
-        lead(link, (latitude + moved, longitude), LED_NORTH, math.pi / 2)
-        link.listen(0.1)
-    link.listen(12)
+        send_moving_setpoint(link, (latitude + moved, longitude), LED_NORTH, math.pi / 2)
+        link.pump_for(0.1)
+    link.pump_for(12)
 
 
 def go_to_by_reposition(link: VehicleLink) -> None:
@@ -72,27 +72,27 @@ def go_to_by_reposition(link: VehicleLink) -> None:
     target = north_of_here(link, 60)
     reposition(link, target, 30, 0)
     arrived(link, target)
-    link.listen(2)
-    link.ask_mode("LOITER")
-    link.listen(3)
+    link.pump_for(2)
+    link.set_mode_and_acknowledge("LOITER")
+    link.pump_for(3)
     reposition(link, north_of_here(link, -40), 30, 0)
-    link.listen(3)
+    link.pump_for(3)
     reposition(link, north_of_here(link, -40), 30, 1)
-    link.listen(6)
+    link.pump_for(6)
     reposition(link, (950_000_000, 0), 30, 1)
-    link.listen(2)
+    link.pump_for(2)
 
 
 def reposition(link: VehicleLink, target: tuple[int, int], altitude_meters: float, flags: int) -> int:
     """DO_REPOSITION and its result."""
-    link.forget()
+    link.clear_inbox()
     link.command_int(
         mavlink.MAV_CMD_DO_REPOSITION,
         GLOBAL_RELATIVE,
         (-1, flags, 0, float("nan")),
         (*target, altitude_meters),
     )
-    return link.acknowledged(mavlink.MAV_CMD_DO_REPOSITION)
+    return link.wait_for_acknowledgement(mavlink.MAV_CMD_DO_REPOSITION)
 
 
 def return_from(link: VehicleLink, altitude_meters: float) -> None:
@@ -102,7 +102,7 @@ def return_from(link: VehicleLink, altitude_meters: float) -> None:
     go_to(link, target, altitude_meters)
     arrived(link, target)
     start(link)
-    link.ask(mavlink.MAV_CMD_NAV_RETURN_TO_LAUNCH)
+    link.send_and_acknowledge(mavlink.MAV_CMD_NAV_RETURN_TO_LAUNCH)
     disarmed(link, 180)
 
 
@@ -120,7 +120,7 @@ def rtl_close_to_home(link: VehicleLink) -> None:
     """RTL by mode change above home itself."""
     airborne(link, 8)
     start(link)
-    link.ask_mode("RTL")
+    link.set_mode_and_acknowledge("RTL")
     disarmed(link, 120)
 
 
@@ -128,35 +128,35 @@ def disarm_in_flight(link: VehicleLink) -> None:
     """Refused; then with the magic number 21196: accepted, it falls."""
     airborne(link)
     start(link)
-    link.ask(mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 0)
-    link.listen(3)
-    link.ask(mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 0, 21196)
-    link.listen(8)
+    link.send_and_acknowledge(mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 0)
+    link.pump_for(3)
+    link.send_and_acknowledge(mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 0, 21196)
+    link.pump_for(8)
 
 
 def commands_twice(link: VehicleLink) -> None:
     """Second copies: arm, take-off on the way up and at the top, relative yaw, mode, land."""
     ready(link)
-    link.ask_mode("GUIDED")
+    link.set_mode_and_acknowledge("GUIDED")
     start(link)
     arm(link)
     arm(link)
     take_off(link, 10)
     take_off(link, 10)
-    link.until("5 m", lambda: link.altitude_meters > 5, 30)
+    link.wait_until("5 m", lambda: link.altitude_meters > 5, 30)
     take_off(link, 10)
-    link.until("altitude", lambda: link.altitude_meters > 9.5, 60)
-    link.listen(3)
+    link.wait_until("altitude", lambda: link.altitude_meters > 9.5, 60)
+    link.pump_for(3)
     for confirmation in (0, 1):
         link.command_long(mavlink.MAV_CMD_CONDITION_YAW, 30, 20, 1, 1, confirmation=confirmation)
-        link.listen(3)
+        link.pump_for(3)
     take_off(link, 15)
-    link.listen(6)
-    link.ask_mode("GUIDED")
-    link.ask(mavlink.MAV_CMD_NAV_LAND)
-    link.listen(2)
-    link.ask(mavlink.MAV_CMD_NAV_LAND)
-    link.listen(2)
+    link.pump_for(6)
+    link.set_mode_and_acknowledge("GUIDED")
+    link.send_and_acknowledge(mavlink.MAV_CMD_NAV_LAND)
+    link.pump_for(2)
+    link.send_and_acknowledge(mavlink.MAV_CMD_NAV_LAND)
+    link.pump_for(2)
 
 
 def hold_in_flight(link: VehicleLink) -> None:
@@ -164,22 +164,22 @@ def hold_in_flight(link: VehicleLink) -> None:
     airborne(link, 30)
     start(link)
     go_to(link, north_of_here(link, 300), 30)
-    link.listen(8)
-    link.ask(mavlink.MAV_CMD_DO_PAUSE_CONTINUE, 0)
-    link.listen(6)
-    link.ask(mavlink.MAV_CMD_DO_PAUSE_CONTINUE, 1)
-    link.listen(1)
+    link.pump_for(8)
+    link.send_and_acknowledge(mavlink.MAV_CMD_DO_PAUSE_CONTINUE, 0)
+    link.pump_for(6)
+    link.send_and_acknowledge(mavlink.MAV_CMD_DO_PAUSE_CONTINUE, 1)
+    link.pump_for(1)
     go_to(link, north_of_here(link, 300), 30)
-    link.listen(8)
-    link.ask_mode("BRAKE")
-    link.listen(8)
-    link.ask_mode("LOITER")
-    link.listen(4)
+    link.pump_for(8)
+    link.set_mode_and_acknowledge("BRAKE")
+    link.pump_for(8)
+    link.set_mode_and_acknowledge("LOITER")
+    link.pump_for(4)
     override_throttle(link, 1500)
-    link.ask_mode("LOITER")
+    link.set_mode_and_acknowledge("LOITER")
     for _ in range(6):
         override_throttle(link, 1500)
-        link.listen(1)
+        link.pump_for(1)
 
 
 def override_throttle(link: VehicleLink, pulse_microseconds: int) -> None:
@@ -196,9 +196,9 @@ def speed_and_home(link: VehicleLink) -> None:
     airborne(link)
     start(link)
     for _ in range(2):
-        link.ask(mavlink.MAV_CMD_DO_CHANGE_SPEED, 1, 3, -1)
+        link.send_and_acknowledge(mavlink.MAV_CMD_DO_CHANGE_SPEED, 1, 3, -1)
         target = north_of_here(link, 40)
         go_to(link, target, 20)
         arrived(link, target)
-    link.ask(mavlink.MAV_CMD_DO_SET_HOME, 1)
-    link.listen(3)
+    link.send_and_acknowledge(mavlink.MAV_CMD_DO_SET_HOME, 1)
+    link.pump_for(3)

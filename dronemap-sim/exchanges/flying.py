@@ -19,48 +19,48 @@ def start(link: VehicleLink) -> None:
     """Everything before this is preparation."""
     if link.transcript is None:
         raise ValueError("no transcript to write to")
-    link.forget()
+    link.clear_inbox()
     link.transcript.start()
 
 
 def ready(link: VehicleLink) -> None:
     """Wait until the autopilot says that it would arm."""
-    link.until("ready to arm", lambda: link.ready, READY_SECONDS)
+    link.wait_until("ready to arm", lambda: link.ready, READY_SECONDS)
 
 
 def arm(link: VehicleLink) -> int:
     """Ask to arm; wait for the HEARTBEAT to say so if it was accepted."""
-    result = link.ask(mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1)
+    result = link.send_and_acknowledge(mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 1)
     if result == ACCEPTED:
-        link.until("armed", lambda: link.armed, 5)
+        link.wait_until("armed", lambda: link.armed, 5)
     return result
 
 
 def take_off(link: VehicleLink, altitude_meters: float) -> int:
     """Ask to take off; do not wait for the altitude."""
-    return link.ask(mavlink.MAV_CMD_NAV_TAKEOFF, 0, 0, 0, 0, 0, 0, altitude_meters)
+    return link.send_and_acknowledge(mavlink.MAV_CMD_NAV_TAKEOFF, 0, 0, 0, 0, 0, 0, altitude_meters)
 
 
 def climb_to(link: VehicleLink, altitude_meters: float) -> None:
     """GUIDED, arm, take off and wait for the altitude."""
-    link.ask_mode("GUIDED")
-    link.until("GUIDED", lambda: link.mode == "GUIDED", 5)
+    link.set_mode_and_acknowledge("GUIDED")
+    link.wait_until("GUIDED", lambda: link.mode == "GUIDED", 5)
     arm(link)
     take_off(link, altitude_meters)
-    link.until("altitude", lambda: link.altitude_meters > altitude_meters - 0.5, 60)
+    link.wait_until("altitude", lambda: link.altitude_meters > altitude_meters - 0.5, 60)
 
 
 def airborne(link: VehicleLink, altitude_meters: float = 20) -> None:
     """Ready, then up and steady."""
     ready(link)
     climb_to(link, altitude_meters)
-    link.listen(3)
+    link.pump_for(3)
 
 
 def disarmed(link: VehicleLink, seconds: float = 120) -> None:
     """Wait for the end of the flight and a little more."""
-    link.until("disarmed", lambda: not link.armed, seconds)
-    link.listen(2)
+    link.wait_until("disarmed", lambda: not link.armed, seconds)
+    link.pump_for(2)
 
 
 def north_of_here(link: VehicleLink, meters: float) -> tuple[int, int]:
@@ -92,7 +92,7 @@ def go_to(link: VehicleLink, target: tuple[int, int], altitude_meters: float) ->
     )
 
 
-def lead(link: VehicleLink, place: tuple[int, int], north: float, yaw: float) -> None:
+def send_moving_setpoint(link: VehicleLink, place: tuple[int, int], north: float, yaw: float) -> None:
     """SET_POSITION_TARGET_GLOBAL_INT at 20 m: a place that moves north at so many m/s, and where to look (radians)."""
     link.send(
         mavlink.MAVLink_set_position_target_global_int_message(
@@ -117,7 +117,7 @@ def lead(link: VehicleLink, place: tuple[int, int], north: float, yaw: float) ->
 
 def arrived(link: VehicleLink, target: tuple[int, int], seconds: float = 60) -> None:
     """Within a metre in latitude, and slow."""
-    link.until(
+    link.wait_until(
         "arrived",
         lambda: (
             abs(link.position[0] - target[0]) < DEGREES_E7_PER_METER_NORTH and link.last["VFR_HUD"].groundspeed < 0.3

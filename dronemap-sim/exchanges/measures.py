@@ -12,21 +12,33 @@ import json
 import math
 import statistics
 import sys
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+from recorded_lines import (
+    Lines,
+    between,
+    in_mode,
+    landed,
+    last_seconds_of,
+    load,
+    seconds,
+    seconds_of,
+    sent,
+    status_text,
+    values,
+)
+
 RECORDED = Path(__file__).parent / "recorded"
 METERS_PER_DEGREE = 111_319.5
-Line = Mapping[str, Any]
-Lines = list[Line]
 
 
 @dataclass(frozen=True)
 class Measure:
-    """One figure: how it is called, what it says, from which exchange, how, and how near is near enough."""
+    """One figure: key, meaning, unit, tolerance, exchange, and the function that computes it."""
 
     key: str
     meaning: str
@@ -38,76 +50,13 @@ class Measure:
 
 @dataclass(frozen=True)
 class Figure:
-    """What measured.json holds of a measure."""
+    """Entry of measured.json for one measure."""
 
     value: float
     unit: str
     tolerance: float
     exchange: str
     meaning: str
-
-
-def load(folder: Path, name: str) -> Lines:
-    """The lines of one recording."""
-    text = (folder / f"{name}.jsonl").read_text(encoding="utf-8")
-    return [json.loads(line) for line in text.splitlines()]
-
-
-def seconds(line: Line) -> float:
-    """When the line was seen, from the start of the exchange."""
-    return float(line["t_ms"]) / 1000
-
-
-def matches(line: Line, wanted: Mapping[str, Any]) -> bool:
-    """True when each wanted field is so; a text need only begin so."""
-    return all(
-        str(line.get(field, "")).startswith(value) if field == "text" else line.get(field) == value
-        for field, value in wanted.items()
-    )
-
-
-def seconds_of(lines: Iterable[Line], after: float = -math.inf, **wanted: Any) -> float:
-    """When the first matching line after `after` was seen."""
-    for line in lines:
-        if seconds(line) > after and matches(line, wanted):
-            return seconds(line)
-    raise LookupError(f"no line with {wanted}")
-
-
-def last_seconds_of(lines: Iterable[Line], before: float, **wanted: Any) -> float:
-    """When the last matching line before `before` was seen."""
-    return max(seconds(line) for line in lines if seconds(line) < before and matches(line, wanted))
-
-
-def between(lines: Lines, first: Mapping[str, Any], then: Mapping[str, Any]) -> float:
-    """Seconds from one line to the first later one of another kind."""
-    started = seconds_of(lines, **first)
-    return seconds_of(lines, after=started, **then) - started
-
-
-def values(lines: Lines, msg: str, field: str, start: float = -math.inf, end: float = math.inf) -> list[float]:
-    """One field of all messages of a kind, within a time."""
-    return [float(line[field]) for line in lines if line["msg"] == msg and start <= seconds(line) <= end]
-
-
-def sent(command: int) -> dict[str, Any]:
-    """The COMMAND_LONG of this command."""
-    return {"dir": "to", "msg": "COMMAND_LONG", "command": command}
-
-
-def landed(state: int) -> dict[str, Any]:
-    """EXTENDED_SYS_STATE: 1 on the ground, 2 in the air, 3 taking off, 4 landing."""
-    return {"msg": "EXTENDED_SYS_STATE", "landed_state": state}
-
-
-def said(text: str) -> dict[str, Any]:
-    """A STATUSTEXT that begins so."""
-    return {"msg": "STATUSTEXT", "text": text}
-
-
-def in_mode(mode: str) -> dict[str, Any]:
-    """A HEARTBEAT of that mode."""
-    return {"msg": "HEARTBEAT", "mode": mode}
 
 
 def acknowledgement_seconds(lines: Lines) -> float:
@@ -123,7 +72,7 @@ def acknowledgement_seconds(lines: Lines) -> float:
 
 
 def takeoff_overshoot(lines: Lines) -> float:
-    """How far above 20 m it rose."""
+    """Metres above 20 m that it rose to."""
     return max(values(lines, "GLOBAL_POSITION_INT", "relative_alt")) / 1000 - 20
 
 
@@ -184,12 +133,12 @@ def loiter_sink_rate(lines: Lines) -> float:
 
 def silence_before_failsafe(lines: Lines) -> float:
     """From the last heartbeat sent to the text."""
-    acted = seconds_of(lines, **said("GCS Failsafe"))
+    acted = seconds_of(lines, **status_text("GCS Failsafe"))
     return acted - last_seconds_of(lines, acted, dir="to", msg="HEARTBEAT")
 
 
 def request_interval(lines: Lines) -> float:
-    """How often a missing mission item is asked for again."""
+    """Seconds between requests for a missing mission item."""
     asked = [seconds(line) for line in lines if line["msg"] == "MISSION_REQUEST" and line["seq"] == 2]
     repeats = asked[-6:]
     return statistics.median(later - earlier for earlier, later in pairwise(repeats))
@@ -216,20 +165,20 @@ def time_in_air_of_leg(lines: Lines) -> float:
     raise LookupError("never arrived")
 
 
-def led_until(lines: Lines) -> float:
-    """When the last place was said."""
+def last_setpoint_at(lines: Lines) -> float:
+    """Seconds at which the last setpoint was sent."""
     return last_seconds_of(lines, math.inf, msg="SET_POSITION_TARGET_GLOBAL_INT")
 
 
-def led_speed(lines: Lines) -> float:
+def speed_behind_setpoint(lines: Lines) -> float:
     """The ground speed when it has caught up with the place that moves."""
-    end = led_until(lines)
+    end = last_setpoint_at(lines)
     return statistics.median(values(lines, "VFR_HUD", "groundspeed", end - 7, end))
 
 
-def led_behind(lines: Lines) -> float:
-    """Metres that it was south of the place said last, when it has caught up."""
-    end = led_until(lines)
+def distance_behind_setpoint(lines: Lines) -> float:
+    """Metres that it is south of the last setpoint, when it has caught up."""
+    end = last_setpoint_at(lines)
     place, behind = 0.0, []
     for line in lines:
         if line["msg"] == "SET_POSITION_TARGET_GLOBAL_INT":
@@ -239,28 +188,28 @@ def led_behind(lines: Lines) -> float:
     return statistics.median(behind)
 
 
-def led_heading(lines: Lines) -> float:
-    """Where it looked meanwhile."""
-    end = led_until(lines)
+def heading_behind_setpoint(lines: Lines) -> float:
+    """The heading while it follows the setpoints."""
+    end = last_setpoint_at(lines)
     return statistics.median(values(lines, "VFR_HUD", "heading", end - 7, end))
 
 
-def left_alone_meters(lines: Lines) -> float:
-    """Metres from the last place said to where it stands in the end, to the north."""
+def distance_after_last_setpoint(lines: Lines) -> float:
+    """Metres from the last setpoint to where it stands in the end, to the north."""
     places = values(lines, "SET_POSITION_TARGET_GLOBAL_INT", "lat_int")
     return (values(lines, "GLOBAL_POSITION_INT", "lat")[-1] - places[-1]) * 1e-7 * METERS_PER_DEGREE
 
 
-def left_alone_seconds(lines: Lines) -> float:
-    """From the last place said until it has slowed down to 1 m/s."""
-    end = led_until(lines)
+def stopping_time_after_last_setpoint(lines: Lines) -> float:
+    """Seconds from the last setpoint until it has slowed down to 1 m/s."""
+    end = last_setpoint_at(lines)
     for line in lines:
         if line["msg"] == "VFR_HUD" and seconds(line) > end and line["groundspeed"] < 1:
             return seconds(line) - end
     raise LookupError("never stood")
 
 
-def left_alone_overshoot(lines: Lines) -> float:
+def overshoot_after_last_setpoint(lines: Lines) -> float:
     """Metres that it flew past where it stands in the end."""
     latitudes = values(lines, "GLOBAL_POSITION_INT", "lat")
     return (max(latitudes) - latitudes[-1]) * 1e-7 * METERS_PER_DEGREE
@@ -280,7 +229,7 @@ def turned_degrees(lines: Lines) -> float:
 
 def seconds_after_parameter(text: str) -> Callable[[Lines], float]:
     """From the PARAM_SET that makes the fault to a text."""
-    return lambda lines: between(lines, {"dir": "to", "msg": "PARAM_SET"}, said(text))
+    return lambda lines: between(lines, {"dir": "to", "msg": "PARAM_SET"}, status_text(text))
 
 
 MEASURES: tuple[Measure, ...] = (
@@ -291,8 +240,8 @@ MEASURES: tuple[Measure, ...] = (
     Measure("armingGrantedSeconds", "power-up → arming granted, asked for every 5 s", "s", 6,
             "arming_refused", lambda lines: seconds_of(lines, msg="COMMAND_ACK", command=400, result=0)),
     Measure("groundDisarmSeconds", "armed on the ground and nothing done → disarms itself (DISARM_DELAY)", "s", 1,
-            "arm_and_disarm", lambda lines: seconds_of(lines, after=5, **said("Disarming motors"))
-            - seconds_of(lines, after=5, **said("Arming motors"))),
+            "arm_and_disarm", lambda lines: seconds_of(lines, after=5, **status_text("Disarming motors"))
+            - seconds_of(lines, after=5, **status_text("Arming motors"))),
     Measure("spoolUpSeconds", "take-off command → landed_state TAKEOFF, it leaves the ground", "s", 0.5,
             "guided_takeoff", lambda lines: between(lines, sent(22), landed(3))),
     Measure("takeoffSeconds", "take-off command → landed_state IN_AIR at 20 m", "s", 1.5, "guided_takeoff",
@@ -308,20 +257,24 @@ MEASURES: tuple[Measure, ...] = (
             lambda lines: descent_rate(lines, 1, 8)),
     Measure("onGroundToDisarmSeconds", "landed_state ON_GROUND after landing → “Disarming motors”", "s", 0.5,
             "guided_takeoff",
-            lambda lines: between(lines, landed(4), said("Disarming motors")) - between(lines, landed(4), landed(1))),
+            lambda lines: between(lines, landed(4), status_text("Disarming motors"))
+            - between(lines, landed(4), landed(1))),
     Measure("cruiseSpeed", "highest ground speed on a 150 m leg in GUIDED (WPNAV_SPEED)", "m/s", 0.5,
             "go_to_by_setpoint", top_speed),
     Measure("legSeconds", "150 m leg, from rest to within a metre", "s", 2, "go_to_by_setpoint", time_in_air_of_leg),
     Measure("secondsTo9MetersPerSecond", "from rest to 9 m/s", "s", 1.5, "go_to_by_setpoint",
             lambda lines: seconds_to_speed(lines, 9)),
-    Measure("ledSpeed", "led by a place that moves at 5 m/s: ground speed", "m/s", 0.3, "led_by_places", led_speed),
-    Measure("ledBehind", "the same: metres behind the place said last", "m", 1, "led_by_places", led_behind),
-    Measure("ledHeading", "the same: heading, told to look east", "°", 5, "led_by_places", led_heading),
+    Measure("ledSpeed", "led by a place that moves at 5 m/s: ground speed", "m/s", 0.3, "led_by_places",
+            speed_behind_setpoint),
+    Measure("ledBehind", "the same: metres behind the place said last", "m", 1, "led_by_places",
+            distance_behind_setpoint),
+    Measure("ledHeading", "the same: heading, told to look east", "°", 5, "led_by_places", heading_behind_setpoint),
     Measure("leftAloneMeters", "the same, not a word more: metres on from the last place", "m", 3, "led_by_places",
-            left_alone_meters),
+            distance_after_last_setpoint),
     Measure("leftAloneOvershoot", "the same: metres past where it stands in the end", "m", 3, "led_by_places",
-            left_alone_overshoot),
-    Measure("leftAloneSeconds", "the same: until slower than 1 m/s", "s", 2, "led_by_places", left_alone_seconds),
+            overshoot_after_last_setpoint),
+    Measure("leftAloneSeconds", "the same: until slower than 1 m/s", "s", 2, "led_by_places",
+            stopping_time_after_last_setpoint),
     Measure("stoppingDistance", "DO_PAUSE_CONTINUE at 10 m/s: metres flown on", "m", 8, "hold_in_flight",
             stopping_distance),
     Measure("loiterSinkRate", "sinking in LOITER with the throttle stick down (no pilot)", "m/s", 0.4,
@@ -354,7 +307,7 @@ MEASURES: tuple[Measure, ...] = (
             seconds_after_parameter("EKF Failsafe: changed to LAND Mode")),
     Measure("gpsBackSeconds", "GPS back → “EKF Failsafe Cleared”; stays in LAND", "s", 2, "gps_lost",
             lambda lines: between(lines, {"dir": "to", "msg": "PARAM_SET", "param_value": 0},
-                                  said("EKF Failsafe Cleared"))),
+                                  status_text("EKF Failsafe Cleared"))),
     Measure("fallSpeed", "motor failed: fastest sinking on the way down from 30 m", "m/s", 4, "motor_failure",
             fall_speed),
     Measure("thrustLossSeconds", "motor failed → “Potential Thrust Loss (1)”", "s", 3, "motor_failure",
@@ -366,7 +319,7 @@ MEASURES: tuple[Measure, ...] = (
 )  # fmt: skip
 
 
-def take(measure: Measure, folder: Path) -> Figure:
+def evaluate(measure: Measure, folder: Path) -> Figure:
     """One measure of one folder of recordings."""
     value = measure.of(load(folder, measure.exchange))
     return Figure(round(value, 3), measure.unit, measure.tolerance, measure.exchange, measure.meaning)
@@ -374,14 +327,14 @@ def take(measure: Measure, folder: Path) -> Figure:
 
 def figures(folder: Path) -> dict[str, Figure]:
     """All measures taken."""
-    return {measure.key: take(measure, folder) for measure in MEASURES}
+    return {measure.key: evaluate(measure, folder) for measure in MEASURES}
 
 
 def verdict(measure: Measure, folder: Path, reference: Mapping[str, Any]) -> tuple[bool, str]:
     """True and a line when the other recording agrees; false and why not."""
     expected, tolerance, unit = reference["value"], reference["tolerance"], reference["unit"]
     try:
-        value = take(measure, folder).value
+        value = evaluate(measure, folder).value
     except (FileNotFoundError, LookupError, ValueError, statistics.StatisticsError) as problem:
         return False, f"{measure.key}: cannot be taken: {problem}"
     agrees = abs(value - expected) <= tolerance
@@ -399,10 +352,10 @@ def compare(folder: Path) -> int:
     return 1 if missed else 0
 
 
-def table(taken: Mapping[str, Figure]) -> str:
+def table(figures_by_key: Mapping[str, Figure]) -> str:
     """The figures as Markdown."""
     rows = ["| figure | measured | tolerance | exchange | key |", "| --- | ---: | ---: | --- | --- |"]
-    for key, figure in taken.items():
+    for key, figure in figures_by_key.items():
         value, tolerance = f"{figure.value:.2f} {figure.unit}", f"± {figure.tolerance:g} {figure.unit}"
         rows.append(f"| {figure.meaning} | {value} | {tolerance} | `{figure.exchange}` | `{key}` |")
     return "\n".join(rows)
@@ -415,10 +368,10 @@ def main() -> int:
     folder: Path | None = parser.parse_args().compare
     if folder is not None:
         return compare(folder)
-    taken = figures(RECORDED)
-    content = json.dumps({key: asdict(figure) for key, figure in taken.items()}, indent=1, ensure_ascii=False)
+    figures_by_key = figures(RECORDED)
+    content = json.dumps({key: asdict(figure) for key, figure in figures_by_key.items()}, indent=1, ensure_ascii=False)
     (RECORDED / "measured.json").write_text(content + "\n", encoding="utf-8")
-    print(table(taken))
+    print(table(figures_by_key))
     return 0
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from flying import arm, climb_to, disarmed, ready, start
-from missions import Item, clear, download, fly_square, send_count, send_out_of_turn, take, upload
+from missions import Item, clear, download, fly_square, send_count, send_out_of_turn, upload, upload_until
 from vehicle_link import VehicleLink
 
 
@@ -20,8 +20,8 @@ def mission_upload(link: VehicleLink) -> None:
     download(link)
     clear(link)
     download(link)
-    link.ask_mode("AUTO")
-    link.listen(2)
+    link.set_mode_and_acknowledge("AUTO")
+    link.pump_for(2)
 
 
 def mission_upload_refused(link: VehicleLink) -> None:
@@ -34,16 +34,16 @@ def mission_upload_refused(link: VehicleLink) -> None:
     upload(link, [*good[:2], Item(mavlink.MAV_CMD_NAV_WAYPOINT, 950_000_000, 0, 10), *good[3:]])
     download(link)
     send_out_of_turn(link, good)
-    link.listen(1)
+    link.pump_for(1)
     link.send(mavlink.MAVLink_mission_request_int_message(link.system_id, 1, 40))
-    link.listen(1)
+    link.pump_for(1)
     link.send(mavlink.MAVLink_mission_request_message(link.system_id, 1, 1))
-    link.listen(1)
+    link.pump_for(1)
     for count in (0, 5000):
         send_count(link, count)
-        link.listen(1)
-    take(link, good, skipping=2)
-    link.listen(12)
+        link.pump_for(1)
+    upload_until(link, good, skipping=2)
+    link.pump_for(12)
     download(link)
 
 
@@ -52,11 +52,11 @@ def mission_flight(link: VehicleLink) -> None:
     ready(link)
     upload(link, fly_square(link.position))
     start(link)
-    link.ask_mode("GUIDED")
+    link.set_mode_and_acknowledge("GUIDED")
     arm(link)
-    link.ask_mode("AUTO")
-    link.listen(2)
-    link.ask(mavlink.MAV_CMD_MISSION_START)
+    link.set_mode_and_acknowledge("AUTO")
+    link.pump_for(2)
+    link.send_and_acknowledge(mavlink.MAV_CMD_MISSION_START)
     disarmed(link, 240)
 
 
@@ -66,26 +66,26 @@ def mission_from_the_air(link: VehicleLink) -> None:
     upload(link, fly_square(link.position)[:5])
     climb_to(link, 20)
     start(link)
-    link.ask_mode("AUTO")
-    link.until("item 2", lambda: link.last["MISSION_CURRENT"].seq == 2, 30)
-    link.listen(3)
-    link.ask(mavlink.MAV_CMD_DO_PAUSE_CONTINUE, 0)
-    link.listen(6)
-    link.ask(mavlink.MAV_CMD_DO_PAUSE_CONTINUE, 1)
-    link.listen(2)
+    link.set_mode_and_acknowledge("AUTO")
+    link.wait_until("item 2", lambda: link.last["MISSION_CURRENT"].seq == 2, 30)
+    link.pump_for(3)
+    link.send_and_acknowledge(mavlink.MAV_CMD_DO_PAUSE_CONTINUE, 0)
+    link.pump_for(6)
+    link.send_and_acknowledge(mavlink.MAV_CMD_DO_PAUSE_CONTINUE, 1)
+    link.pump_for(2)
     link.send(mavlink.MAVLink_mission_set_current_message(link.system_id, 1, 4))
-    link.until("item 4 reached", lambda: "MISSION_ITEM_REACHED" in link.last and reached(link) == 4, 90)
-    link.listen(10)
-    link.ask(mavlink.MAV_CMD_DO_SET_MISSION_CURRENT, 2)
-    link.listen(4)
-    link.ask(mavlink.MAV_CMD_MISSION_START)
-    link.listen(4)
-    link.ask_mode("LOITER")
-    link.listen(1)
-    link.ask_mode("AUTO")
-    link.listen(4)
-    link.ask_mode("LOITER")
-    link.listen(3)
+    link.wait_until("item 4 reached", lambda: "MISSION_ITEM_REACHED" in link.last and reached(link) == 4, 90)
+    link.pump_for(10)
+    link.send_and_acknowledge(mavlink.MAV_CMD_DO_SET_MISSION_CURRENT, 2)
+    link.pump_for(4)
+    link.send_and_acknowledge(mavlink.MAV_CMD_MISSION_START)
+    link.pump_for(4)
+    link.set_mode_and_acknowledge("LOITER")
+    link.pump_for(1)
+    link.set_mode_and_acknowledge("AUTO")
+    link.pump_for(4)
+    link.set_mode_and_acknowledge("LOITER")
+    link.pump_for(3)
 
 
 def reached(link: VehicleLink) -> int:
@@ -98,9 +98,9 @@ def mission_cleared_in_flight(link: VehicleLink) -> None:
     ready(link)
     upload(link, fly_square(link.position)[:5])
     climb_to(link, 20)
-    link.ask_mode("AUTO")
-    link.until("item 2", lambda: link.last["MISSION_CURRENT"].seq == 2, 30)
+    link.set_mode_and_acknowledge("AUTO")
+    link.wait_until("item 2", lambda: link.last["MISSION_CURRENT"].seq == 2, 30)
     start(link)
     clear(link)
-    link.listen(10)
+    link.pump_for(10)
     download(link)

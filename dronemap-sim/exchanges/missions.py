@@ -42,7 +42,7 @@ def fly_square(home: tuple[int, int]) -> list[Item]:
 
 def upload(link: VehicleLink, items: Sequence[Item]) -> int:
     """MISSION_COUNT, answer each request, return the type of the MISSION_ACK."""
-    link.forget()
+    link.clear_inbox()
     send_count(link, len(items))
     while True:
         message = next_mission_message(link)
@@ -51,9 +51,9 @@ def upload(link: VehicleLink, items: Sequence[Item]) -> int:
         send_item(link, message.seq, items[message.seq])
 
 
-def take(link: VehicleLink, items: Sequence[Item], skipping: int) -> None:
+def upload_until(link: VehicleLink, items: Sequence[Item], skipping: int) -> None:
     """An upload that goes silent at item `skipping`."""
-    link.forget()
+    link.clear_inbox()
     send_count(link, len(items))
     while True:
         message = next_mission_message(link)
@@ -64,7 +64,7 @@ def take(link: VehicleLink, items: Sequence[Item], skipping: int) -> None:
 
 def send_out_of_turn(link: VehicleLink, items: Sequence[Item]) -> None:
     """Item 3 in answer to the request for item 0."""
-    link.forget()
+    link.clear_inbox()
     send_count(link, len(items))
     next_mission_message(link)
     send_item(link, 3, items[3])
@@ -72,7 +72,7 @@ def send_out_of_turn(link: VehicleLink, items: Sequence[Item]) -> None:
 
 def download(link: VehicleLink) -> int:
     """Read the mission back whole; return the count."""
-    link.forget()
+    link.clear_inbox()
     link.send(mavlink.MAVLink_mission_request_list_message(link.system_id, 1))
     count = int(link.expect("MISSION_COUNT", lambda m: m.get_type() == "MISSION_COUNT", 5).count)
     for sequence in range(count):
@@ -85,7 +85,7 @@ def download(link: VehicleLink) -> int:
 
 def clear(link: VehicleLink) -> int:
     """MISSION_CLEAR_ALL and the type of its MISSION_ACK."""
-    link.forget()
+    link.clear_inbox()
     link.send(mavlink.MAVLink_mission_clear_all_message(link.system_id, 1))
     return int(link.expect("MISSION_ACK", lambda m: m.get_type() == "MISSION_ACK", 5).type)
 

@@ -78,7 +78,7 @@ def record(exchange: Exchange, address: str, out: Path) -> None:
     """One exchange from the first heartbeat to the saved file."""
     link = VehicleLink(address, MODE_NAMES)
     try:
-        link.until("first HEARTBEAT", lambda: link.system_id != 0, 30)
+        link.wait_until("first HEARTBEAT", lambda: link.system_id != 0, 30)
         link.log_heartbeats = exchange.log_heartbeats
         if not exchange.from_power_up:
             link.request_rates()

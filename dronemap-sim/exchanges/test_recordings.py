@@ -1,4 +1,4 @@
-"""What goes into a recording, and that figures and recordings belong together."""
+"""Checks what a recording keeps, and that figures match the recordings."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ class TranscriptTest(unittest.TestCase):
         self.transcript.save()
         return [json.loads(line) for line in self.path.read_text(encoding="utf-8").splitlines()]
 
-    def test_keeps_nothing_before_the_start(self) -> None:
+    def test_records_nothing_before_start(self) -> None:
         """Preparations stay out."""
         self.transcript.received(mavlink.MAVLink_command_ack_message(400, 0))
         self.assertEqual([], self.saved())
 
-    def test_writes_a_heartbeat_only_when_it_changes(self) -> None:
+    def test_records_heartbeats_only_when_changed(self) -> None:
         """Mode and arming in words."""
         self.transcript.start()
         for base_mode in (89, 89, 217):
@@ -47,7 +47,7 @@ class TranscriptTest(unittest.TestCase):
         self.assertEqual([(1000, False), (3000, True)], [(line["t_ms"], line["armed"]) for line in lines])
         self.assertEqual({"GUIDED"}, {line["mode"] for line in lines})
 
-    def test_thins_positions_to_one_a_second(self) -> None:
+    def test_records_one_position_a_second(self) -> None:
         """Ten a second come, one stays."""
         self.transcript.start()
         for tenths in range(25):
@@ -65,13 +65,13 @@ class TranscriptTest(unittest.TestCase):
         self.assertEqual((-1, None, 30.5), (line["param1"], line["param4"], line["z"]))
 
     def test_keeps_only_parameters_that_were_set(self) -> None:
-        """The autopilot tells of its own changes too."""
+        """The autopilot reports its own changes too."""
         self.transcript.start()
         self.transcript.sent(mavlink.MAVLink_param_set_message(1, 1, b"FS_GCS_ENABLE", 1, 9))
         for name in (b"STAT_RUNTIME", b"FS_GCS_ENABLE"):
             self.transcript.received(mavlink.MAVLink_param_value_message(name, 1, 9, 1, 0))
-        heard = [line["param_id"] for line in self.saved() if line["dir"] == "from"]
-        self.assertEqual(["FS_GCS_ENABLE"], heard)
+        received = [line["param_id"] for line in self.saved() if line["dir"] == "from"]
+        self.assertEqual(["FS_GCS_ENABLE"], received)
 
 
 class RecordingsTest(unittest.TestCase):
@@ -81,7 +81,7 @@ class RecordingsTest(unittest.TestCase):
         """And no recording is left of one that is gone."""
         self.assertEqual({exchange.name for exchange in EXCHANGES}, {path.stem for path in RECORDED.glob("*.jsonl")})
 
-    def test_the_figures_are_those_of_the_recordings(self) -> None:
+    def test_figures_match_recordings(self) -> None:
         """measured.json was taken after the last recording."""
         written = json.loads((RECORDED / "measured.json").read_text(encoding="utf-8"))
         self.assertEqual({key: asdict(figure) for key, figure in figures(RECORDED).items()}, written)

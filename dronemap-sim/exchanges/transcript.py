@@ -1,4 +1,4 @@
-"""What was said on the link during one exchange, one JSON line a message, in the order it was seen."""
+"""Records the messages of one exchange, one JSON line a message, in the order they were seen."""
 
 from __future__ import annotations
 

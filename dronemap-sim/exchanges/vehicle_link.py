@@ -1,4 +1,4 @@
-"""A MAVLink link to one vehicle, as a ground station has it: heartbeats out, everything heard kept as last known."""
+"""A MAVLink link to one vehicle, as a ground station has it: sends heartbeats, keeps the last of each message."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ WANTED_RATES_HZ: Mapping[int, float] = {
 
 
 class ExchangeError(Exception):
-    """What an exchange waited for did not come."""
+    """A message or state that an exchange waited for did not come."""
 
 
 class VehicleLink:
@@ -94,29 +94,29 @@ class VehicleLink:
         """Ask for the messages that the recording needs."""
         for message_id, rate_hz in WANTED_RATES_HZ.items():
             self.command_long(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL, message_id, 1e6 / rate_hz)
-            self.acknowledged(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL)
+            self.wait_for_acknowledgement(mavlink.MAV_CMD_SET_MESSAGE_INTERVAL)
 
     # --- hearing -------------------------------------------------------------------------------------------
 
     def pump(self) -> list[Any]:
-        """Send a heartbeat if one is due, wait a moment, return what was heard."""
-        self._beat()
-        heard = []
+        """Send a heartbeat if one is due, wait a moment, return what was received."""
+        self._send_heartbeat()
+        received = []
         message = self._connection.recv_match(blocking=True, timeout=RECEIVE_TIMEOUT_SECONDS)
         while message is not None:
             if message.get_type() != "BAD_DATA":
-                self._hear(message)
-                heard.append(message)
+                self._receive(message)
+                received.append(message)
             message = self._connection.recv_match(blocking=False)
-        return heard
+        return received
 
-    def listen(self, seconds: float) -> None:
+    def pump_for(self, seconds: float) -> None:
         """Only watch for so long."""
         deadline = time.monotonic() + seconds
         while time.monotonic() < deadline:
             self.pump()
 
-    def until(self, what: str, condition: Callable[[], bool], seconds: float) -> None:
+    def wait_until(self, what: str, condition: Callable[[], bool], seconds: float) -> None:
         """Pump until the state is so."""
         deadline = time.monotonic() + seconds
         while not condition():
@@ -125,7 +125,7 @@ class VehicleLink:
             self.pump()
 
     def expect(self, what: str, wanted: Callable[[Any], bool], seconds: float) -> Any:
-        """The first message heard since the last call that is wanted; earlier ones are passed over."""
+        """The first wanted message received since the last call; earlier ones are passed over."""
         deadline = time.monotonic() + seconds
         while True:
             while self._inbox:
@@ -136,7 +136,7 @@ class VehicleLink:
                 raise ExchangeError(f"waited {seconds} s in vain: {what}")
             self.pump()
 
-    def acknowledged(self, command: int, seconds: float = 5) -> int:
+    def wait_for_acknowledgement(self, command: int, seconds: float = 5) -> int:
         """The result of the next COMMAND_ACK of this command."""
         ack = self.expect(
             f"COMMAND_ACK of {command}",
@@ -145,20 +145,20 @@ class VehicleLink:
         )
         return int(ack.result)
 
-    def ask(self, command: int, *params: float) -> int:
+    def send_and_acknowledge(self, command: int, *params: float) -> int:
         """COMMAND_LONG and its result."""
         self._inbox.clear()
         self.command_long(command, *params)
-        return self.acknowledged(command)
+        return self.wait_for_acknowledgement(command)
 
-    def ask_mode(self, name: str) -> int:
+    def set_mode_and_acknowledge(self, name: str) -> int:
         """DO_SET_MODE and its result."""
         self._inbox.clear()
         self.set_mode(name)
-        return self.acknowledged(mavlink.MAV_CMD_DO_SET_MODE)
+        return self.wait_for_acknowledgement(mavlink.MAV_CMD_DO_SET_MODE)
 
-    def forget(self) -> None:
-        """`expect` will look only at what is heard from now on."""
+    def clear_inbox(self) -> None:
+        """`expect` will look only at what is received from now on."""
         self._inbox.clear()
 
     # --- what is known -------------------------------------------------------------------------------------
@@ -205,7 +205,7 @@ class VehicleLink:
 
     # --- inside --------------------------------------------------------------------------------------------
 
-    def _beat(self) -> None:
+    def _send_heartbeat(self) -> None:
         now = time.monotonic()
         if not self.heartbeats_on or now - self._heartbeat_at < HEARTBEAT_INTERVAL_SECONDS:
             return
@@ -217,7 +217,7 @@ class VehicleLink:
         if self.transcript is not None and self.log_heartbeats:
             self.transcript.sent(beat)
 
-    def _hear(self, message: Any) -> None:
+    def _receive(self, message: Any) -> None:
         kind: str = message.get_type()
         if kind == "HEARTBEAT" and not self.system_id:
             self.system_id = message.get_srcSystem()

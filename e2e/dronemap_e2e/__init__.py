@@ -1,1 +1,1 @@
-"""Parts of end-to-end tests: the server, simulated vehicles, a tap on the wire, peers of our own."""
+"""Parts of end-to-end tests: the server, simulated vehicles, a recorder of messages, peers of our own."""

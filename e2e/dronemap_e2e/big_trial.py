@@ -12,11 +12,11 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from .api import Api, Json
 from .flight import EARTH_RADIUS_METERS
-from .impairer import CLEAR, Impairer, Weather
-from .runs import known, planned, stages
+from .impairer import UNIMPAIRED, Impairer, LinkConditions
+from .message_recorder import MessageRecorder, RecordedMessage
+from .runs import create_plan, ready_drone, stages
 from .server import Server
 from .simulator import Simulator
-from .tap import Heard, Tap
 from .trajectories import Disc, Fix, Spot, Track
 from .waiting import rounds, wait_for
 
@@ -56,7 +56,7 @@ class Fault:
 
 @dataclass
 class Trial:
-    """What was done, and what was heard."""
+    """One trial: the faults that were made, and what the server explained."""
 
     seed: int
     on_cloud_loss: str
@@ -76,13 +76,13 @@ class Trial:
         return next(fault for fault in self.faults if fault.kind == kind)
 
 
-def local(origin: Json, latitude: float, longitude: float) -> tuple[float, float]:
+def to_metres(origin: Json, latitude: float, longitude: float) -> tuple[float, float]:
     """Metres east and north."""
     across = PER_DEGREE * math.cos(math.radians(origin["latitude"]))
     return (longitude - origin["longitude"]) * across, (latitude - origin["latitude"]) * PER_DEGREE
 
 
-def place(origin: Json, east: float, north: float) -> Json:
+def to_degrees(origin: Json, east: float, north: float) -> Json:
     across = PER_DEGREE * math.cos(math.radians(origin["latitude"]))
     return {
         "latitude": origin["latitude"] + north / PER_DEGREE,
@@ -90,21 +90,23 @@ def place(origin: Json, east: float, north: float) -> Json:
     }
 
 
-class Conductor:
+class BigTrialRunner:
     """Has one trial flown."""
 
-    def __init__(self, folder: Path, seed: int, weather: Weather = CLEAR, speedup: float = 1) -> None:
+    def __init__(
+        self, folder: Path, seed: int, conditions: LinkConditions = UNIMPAIRED, speedup: float = 1
+    ) -> None:
         self.random = random.Random(seed)
         self.seed = seed
         self.folder = folder
         self.server = Server(folder / "data")
         self.server.start()
         self.link = Impairer(self.server.udp_port, seed)
-        self.weather = weather
-        self.tap = Tap(self.link.port, KINDS)
+        self.conditions = conditions
+        self.recorder = MessageRecorder(self.link.port, KINDS)
         self.simulator = Simulator(
             folder / "sim.log",
-            f"udp://127.0.0.1:{self.tap.port}",
+            f"udp://127.0.0.1:{self.recorder.port}",
             *("--count", str(DRONES), "--sysid", str(FIRST_SYSTEM_ID), "--seed", str(seed)),
             *("--speedup", f"{speedup:g}", "--wind", str(GUST_SPEED)),
         )
@@ -113,39 +115,39 @@ class Conductor:
 
     def close(self) -> None:
         self.simulator.stop()
-        self.tap.close()
+        self.recorder.close()
         self.link.close()
         self.server.stop()
 
     def fly(self) -> Trial:
         drones = [
-            wait_for("all is known", partial(known, self.api, FIRST_SYSTEM_ID + n), 120)
+            wait_for("all is known", partial(ready_drone, self.api, FIRST_SYSTEM_ID + n), 120)
             for n in range(DRONES)
         ]
         self.ids = {drone["id"]: FIRST_SYSTEM_ID + n for n, drone in enumerate(drones)}
         origin = drones[0]["home"]
         trial = Trial(self.seed, self.random.choice(["rtl", "continue"]), origin, [], self._fences(origin))
         asked = [self._waypoint(trial) for _ in range(WAYPOINTS)]
-        self._start(planned(self.api, drones, asked), trial)
-        self.link.weather = self.weather
+        self._start(create_plan(self.api, drones, asked), trial)
+        self.link.conditions = self.conditions
         deeds = ["motor", "link", "battery", "waypoints", "restart"]
         self.random.shuffle(deeds)
         for deed in deeds:
-            self._pass_time(trial, self.random.uniform(8, 35))
+            self._wait(trial, self.random.uniform(8, 35))
             if deed == "waypoints":
-                self._add(trial)
+                self._add_waypoints(trial)
             elif deed == "restart":
-                self._restart(trial)
+                self._restart_server(trial)
             else:
-                self._harm(trial, deed)
-        trial.over = wait_for("the run is over", partial(self._ended, trial), LONGEST_SECONDS, every=1)
+                self._inject_fault(trial, deed)
+        trial.over = wait_for("the run is over", partial(self._run_if_over, trial), LONGEST_SECONDS, every=1)
         trial.replay = self.api.get(f"{self.run}/journal/replay")
         whole = trial.over | {"explanations": list(trial.explanations.values())}
         (self.folder / "run.json").write_text(json.dumps(whole, indent=1))
         return trial
 
-    def _ended(self, trial: Trial) -> Json | None:
-        now = self._look(trial)
+    def _run_if_over(self, trial: Trial) -> Json | None:
+        now = self._poll(trial)
         return now if now["state"] == "over" else None
 
     def _fences(self, origin: Json) -> list[Disc]:
@@ -157,7 +159,7 @@ class Conductor:
             Disc("Mast", 330, 400, 20, math.inf),
         ]
         for disc in discs:
-            centre = place(origin, disc.east, disc.north)
+            centre = to_degrees(origin, disc.east, disc.north)
             bound = {} if math.isinf(disc.top) else {"ceiling": origin["altitudeAmsl"] + disc.top}
             answer = self.api.call(
                 "POST",
@@ -188,7 +190,7 @@ class Conductor:
                 break
         height = self.random.choice(HEIGHTS)
         trial.spots.append(Spot(str(len(trial.spots) + 1), east, north, height))
-        return place(trial.origin, east, north) | {
+        return to_degrees(trial.origin, east, north) | {
             "altitude": trial.origin["altitudeAmsl"] + height,
             "altitudeReference": "amsl",
         }
@@ -201,16 +203,16 @@ class Conductor:
         flying = {"flying"}
         wait_for("all fly", lambda: set(stages(self.api.get(self.run)).values()) == flying, 180, every=0.5)
 
-    def _pass_time(self, trial: Trial, seconds: float) -> None:
+    def _wait(self, trial: Trial, seconds: float) -> None:
         for _ in rounds(time.monotonic() + seconds, 0.5):
-            self._look(trial)
+            self._poll(trial)
 
-    def _look(self, trial: Trial) -> Json:
+    def _poll(self, trial: Trial) -> Json:
         now = self.api.get(self.run)
         trial.explanations.update({one["at"] + one["words"]: one for one in now["explanations"]})
         return now
 
-    def _add(self, trial: Trial) -> None:
+    def _add_waypoints(self, trial: Trial) -> None:
         body = {"waypoints": [self._waypoint(trial) for _ in range(ADDED)]}
         trial.added_at = time.monotonic()
         answer = self.api.call("POST", f"{self.run}/waypoints", body)
@@ -220,21 +222,21 @@ class Conductor:
             spot = trial.spots[len(trial.spots) - ADDED + number]
             trial.spots[len(trial.spots) - ADDED + number] = Spot(name, spot.east, spot.north, spot.up)
 
-    def _restart(self, trial: Trial) -> None:
+    def _restart_server(self, trial: Trial) -> None:
         dead = time.monotonic()
         self.server.kill()
         self.server.start()
         trial.dead = (dead, time.monotonic())
         self.api = Api(self.server.address, self.server.local_key())
 
-    def _harm(self, trial: Trial, kind: str) -> None:
+    def _inject_fault(self, trial: Trial, kind: str) -> None:
         """One that flies, with something left to do, and was not harmed yet."""
         harmed = {fault.drone for fault in trial.faults}
 
         def fit() -> list[str]:
             return [
                 drone["id"]
-                for drone in self._look(trial)["drones"]
+                for drone in self._poll(trial)["drones"]
                 if drone["stage"] == "flying"
                 and drone["id"] not in harmed
                 and len(drone["next"]) >= LEAST_LEFT
@@ -245,7 +247,7 @@ class Conductor:
         system_id = self.ids[drone]
         at, moment = time.monotonic(), time.time()
         if kind == "link":
-            self.tap.cut.add(system_id)
+            self.recorder.cut.add(system_id)
         elif kind == "motor":
             self.simulator.fault(f"{system_id} motor-failure")
         else:
@@ -257,12 +259,12 @@ class Conductor:
         return above
 
     def tracks(self, trial: Trial) -> dict[int, Track]:
-        """Where each was by its own word on the wire, before anything was lost; who fell counts no longer."""
-        heard = self.tap.heard("GLOBAL_POSITION_INT", up=True)
+        """Tracks by the vehicles' own reports, before anything was lost; who fell counts no longer."""
+        recorded = self.recorder.messages("GLOBAL_POSITION_INT", up=True)
         fell = next((fault for fault in trial.faults if fault.kind == "motor"), None)
         tracks = {}
         for system_id in self.ids.values():
-            own = [one for one in heard if one.message.get_srcSystem() == system_id]
+            own = [one for one in recorded if one.message.get_srcSystem() == system_id]
             ends = math.inf
             if fell is not None and fell.system_id == system_id:
                 ends = max(boot_seconds(one) for one in own if one.at <= fell.at)
@@ -270,15 +272,15 @@ class Conductor:
         return tracks
 
     def boot_seconds(self, moment: float) -> float:
-        """What the vehicles' clocks, which are one, said at a moment of ours."""
-        heard = self.tap.heard("GLOBAL_POSITION_INT", up=True)
-        return max((boot_seconds(one) for one in heard if one.at <= moment), default=math.inf)
+        """Time of the vehicles' common clock at a moment of ours."""
+        recorded = self.recorder.messages("GLOBAL_POSITION_INT", up=True)
+        return max((boot_seconds(one) for one in recorded if one.at <= moment), default=math.inf)
 
-    def boarded(self, trial: Trial) -> list[tuple[float, int, set[str]]]:
+    def acknowledged_missions(self, trial: Trial) -> list[tuple[float, int, set[str]]]:
         """Each mission that a vehicle acknowledged: when, who, and which waypoints are in it."""
-        missions: dict[int, dict[int, Heard]] = {}
+        missions: dict[int, dict[int, RecordedMessage]] = {}
         found = []
-        for one in self.tap.heard("MISSION_COUNT", "MISSION_ITEM_INT", "MISSION_ACK"):
+        for one in self.recorder.messages("MISSION_COUNT", "MISSION_ITEM_INT", "MISSION_ACK"):
             message = one.message
             if getattr(message, "mission_type", 0) != mavlink.MAV_MISSION_TYPE_MISSION:
                 continue
@@ -298,19 +300,19 @@ def _leads_to(trial: Trial, items: object, spot: Spot) -> bool:
     for one in items:
         item = one.message
         if item.x and item.y:
-            east, north = local(trial.origin, item.x / 1e7, item.y / 1e7)
+            east, north = to_metres(trial.origin, item.x / 1e7, item.y / 1e7)
             if math.hypot(east - spot.east, north - spot.north) < 1:
                 return True
     return False
 
 
-def boot_seconds(heard: Heard) -> float:
-    seconds: float = heard.message.time_boot_ms / 1000
+def boot_seconds(recorded: RecordedMessage) -> float:
+    seconds: float = recorded.message.time_boot_ms / 1000
     return seconds
 
 
-def fix(origin: Json, heard: Heard) -> Fix:
-    said = heard.message
-    east, north = local(origin, said.lat / 1e7, said.lon / 1e7)
-    up = said.alt / 1e3 - origin["altitudeAmsl"]
-    return Fix(boot_seconds(heard), east, north, up, said.relative_alt / 1e3)
+def fix(origin: Json, recorded: RecordedMessage) -> Fix:
+    message = recorded.message
+    east, north = to_metres(origin, message.lat / 1e7, message.lon / 1e7)
+    up = message.alt / 1e3 - origin["altitudeAmsl"]
+    return Fix(boot_seconds(recorded), east, north, up, message.relative_alt / 1e3)

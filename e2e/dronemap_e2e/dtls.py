@@ -61,7 +61,7 @@ class DtlsClient:
         self.connection_id = b""
         self._ours: tuple[AESGCM, bytes] | None = None
         self._theirs: tuple[AESGCM, bytes] | None = None
-        self._shake_hands(time.monotonic() + timeout)
+        self._handshake_with_server(time.monotonic() + timeout)
 
     @property
     def port(self) -> int:
@@ -90,7 +90,7 @@ class DtlsClient:
         opened.connect(self._server)
         return opened
 
-    def _shake_hands(self, deadline: float) -> None:
+    def _handshake_with_server(self, deadline: float) -> None:
         self._hello(b"")
         (kind, body), *_ = self._messages({HELLO_VERIFY}, deadline)
         assert kind == HELLO_VERIFY, f"expected a hello verify request, got {kind}"
@@ -101,7 +101,7 @@ class DtlsClient:
             if kind == SERVER_HELLO:
                 server_random = body[2:34]
                 self.connection_id = _connection_id(body)
-        self._say(CLIENT_KEY_EXCHANGE, struct.pack("!H", len(self._identity)) + self._identity)
+        self._send_handshake(CLIENT_KEY_EXCHANGE, struct.pack("!H", len(self._identity)) + self._identity)
         zeros = bytes(len(self._key))
         size = struct.pack("!H", len(self._key))
         premaster = size + zeros + size + self._key
@@ -111,7 +111,7 @@ class DtlsClient:
         self._theirs = (AESGCM(block[16:32]), block[36:40])
         self._send(CHANGE_CIPHER_SPEC, b"\x01", 0)
         digest = hashlib.sha256(self._transcript).digest()
-        self._say(FINISHED, _prf(master, b"client finished", digest, 12), 1)
+        self._send_handshake(FINISHED, _prf(master, b"client finished", digest, 12), 1)
         digest = hashlib.sha256(self._transcript).digest()
         finished = [body for kind, body in self._messages({FINISHED}, deadline) if kind == FINISHED]
         if finished != [_prf(master, b"server finished", digest, 12)]:
@@ -122,9 +122,9 @@ class DtlsClient:
         body = VERSION + self._random + b"\x00" + bytes([len(cookie)]) + cookie
         body += b"\x00\x02" + PSK_AES_128_GCM_SHA256 + b"\x01\x00"
         body += struct.pack("!H", len(connection_id)) + connection_id
-        self._say(CLIENT_HELLO, body)
+        self._send_handshake(CLIENT_HELLO, body)
 
-    def _say(self, kind: int, body: bytes, epoch: int = 0) -> None:
+    def _send_handshake(self, kind: int, body: bytes, epoch: int = 0) -> None:
         message = _handshake(kind, self._message, body)
         self._message += 1
         self._transcript += message
@@ -132,8 +132,8 @@ class DtlsClient:
 
     def _messages(self, until: set[int], deadline: float) -> list[tuple[int, bytes]]:
         """Handshake messages up to one of these kinds; a message is never in parts here, all are small."""
-        heard: list[tuple[int, bytes]] = []
-        while not heard or heard[-1][0] not in until:
+        received: list[tuple[int, bytes]] = []
+        while not received or received[-1][0] not in until:
             self._socket.settimeout(max(0.01, deadline - time.monotonic()))
             try:
                 datagram = self._socket.recv(65535)
@@ -149,8 +149,8 @@ class DtlsClient:
                     length = int.from_bytes(plain[1:4], "big")
                     message, plain = plain[: 12 + length], plain[12 + length :]
                     self._transcript += message
-                    heard.append((message[0], message[12:]))
-        return heard
+                    received.append((message[0], message[12:]))
+        return received
 
     def _send(self, kind: int, plain: bytes, epoch: int) -> None:
         sequence = self._sequence[epoch]

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from datetime import datetime
 
 from .api import Api, Json
-from .tap import Heard, Hears
+from .message_recorder import MessageLog, RecordedMessage
 
 EARTH_RADIUS_METERS = 6_371_008.8
 ARMED = 0x80
@@ -42,10 +42,10 @@ def items(points: list[Point]) -> list[Json]:
     ]
 
 
-def judge(wire: Hears, points: list[Point], take_off_altitude: float, tolerance: float = 2.0) -> None:
-    """The vehicle armed, climbed, passed each waypoint in order, returned and disarmed: as it said itself."""
-    track = [h for h in wire.heard("GLOBAL_POSITION_INT", up=True)]
-    beats = [h for h in wire.heard("HEARTBEAT", up=True) if h.message.get_srcComponent() == 1]
+def judge(wire: MessageLog, points: list[Point], take_off_altitude: float, tolerance: float = 2.0) -> None:
+    """Asserts by its messages that it armed, climbed, passed each waypoint, returned and disarmed."""
+    track = [h for h in wire.messages("GLOBAL_POSITION_INT", up=True)]
+    beats = [h for h in wire.messages("HEARTBEAT", up=True) if h.message.get_srcComponent() == 1]
     armed = [bool(h.message.base_mode & ARMED) for h in beats]
     assert True in armed, "it was never armed"
     assert not armed[-1], "it is still armed"
@@ -60,8 +60,8 @@ def judge(wire: Hears, points: list[Point], take_off_altitude: float, tolerance:
     assert track[-1].message.relative_alt / 1000 < 1, "it did not land"
 
 
-def _passed(track: list[Heard], start: int, point: Point, number: int, tolerance: float) -> int:
-    """Where in the track it came within the tolerance of the point, at the point's height."""
+def _passed(track: list[RecordedMessage], start: int, point: Point, number: int, tolerance: float) -> int:
+    """Index in the track at which it came within the tolerance of the point, at the point's height."""
     nearest = math.inf
     for index in range(start, len(track)):
         seen = track[index].message

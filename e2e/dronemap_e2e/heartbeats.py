@@ -19,7 +19,7 @@ class HeartbeatGaps:
         self.gaps: dict[int, list[float]] = {}
         """When each began that is over, monotonic seconds, by system id."""
 
-    def withholds(self, datagram: bytes) -> bool:
+    def drops(self, datagram: bytes) -> bool:
         system_id = _of_heartbeat(datagram)
         if system_id is None:
             return False

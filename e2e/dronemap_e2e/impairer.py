@@ -14,8 +14,8 @@ LOOPBACK = "127.0.0.1"
 
 
 @dataclass(frozen=True)
-class Weather:
-    """How bad the link is, in each direction. Datagrams overtake each other as their delays differ."""
+class LinkConditions:
+    """Impairments of a link, in each direction. Datagrams overtake each other as their delays differ."""
 
     delay: float = 0.0
     jitter: float = 0.0
@@ -23,22 +23,22 @@ class Weather:
     duplication: float = 0.0
 
 
-CLEAR = Weather()
-CUT = Weather(loss=1.0)
-BAD = Weather(delay=0.5, jitter=0.2, loss=0.1, duplication=0.02)
+UNIMPAIRED = LinkConditions()
+CUT = LinkConditions(loss=1.0)
+BAD = LinkConditions(delay=0.5, jitter=0.2, loss=0.1, duplication=0.02)
 
 
 class Impairer:
     """Stands between vehicles, which call `port`, and a server, which sees one port for each vehicle."""
 
-    def __init__(self, server_port: int, seed: int = 1, weather: Weather = CLEAR) -> None:
-        self.weather = weather
-        self.carried = 0
+    def __init__(self, server_port: int, seed: int = 1, conditions: LinkConditions = UNIMPAIRED) -> None:
+        self.conditions = conditions
+        self.forwarded = 0
         self.lost = 0
-        # Hears every datagram of every vehicle before the weather does anything to it.
-        self.overhear: Callable[[bytes], None] = lambda data: None
-        # Which datagrams of vehicles never arrive, whatever the weather.
-        self.withholds: Callable[[bytes], bool] = lambda data: False
+        # Called with every datagram of every vehicle before it is impaired.
+        self.on_datagram: Callable[[bytes], None] = lambda data: None
+        # True for datagrams of vehicles that never arrive, however good the link is.
+        self.drops: Callable[[bytes], bool] = lambda data: False
         self._server = (LOOPBACK, server_port)
         self._random = random.Random(seed)
         self._front = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
@@ -54,12 +54,12 @@ class Impairer:
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
 
-    def seen_by_server(self, vehicle_port: int) -> int:
+    def server_side_port(self, vehicle_port: int) -> int:
         """The port that the server knows a vehicle by."""
         port: int = self._backs[(LOOPBACK, vehicle_port)].getsockname()[1]
         return port
 
-    def say(self, data: bytes) -> None:
+    def send_to_vehicles(self, data: bytes) -> None:
         """Straight to every vehicle, as somebody who is plugged in there."""
         for vehicle in list(self._backs):
             self._front.sendto(data, vehicle)
@@ -86,11 +86,11 @@ class Impairer:
         except ConnectionError:
             return
         if vehicle is None:
-            self.overhear(data)
-            if not self.withholds(data):
-                self._carry(self._back(sender), self._server, data)
+            self.on_datagram(data)
+            if not self.drops(data):
+                self._forward(self._back(sender), self._server, data)
         else:
-            self._carry(self._front, vehicle, data)
+            self._forward(self._front, vehicle, data)
 
     def _back(self, vehicle: tuple[str, int]) -> socket.socket:
         if vehicle not in self._backs:
@@ -100,14 +100,14 @@ class Impairer:
             self._selector.register(back, selectors.EVENT_READ, vehicle)
         return self._backs[vehicle]
 
-    def _carry(self, way: socket.socket, to: tuple[str, int], data: bytes) -> None:
-        weather = self.weather
-        if self._random.random() < weather.loss:
+    def _forward(self, way: socket.socket, to: tuple[str, int], data: bytes) -> None:
+        conditions = self.conditions
+        if self._random.random() < conditions.loss:
             self.lost += 1
             return
-        copies = 2 if self._random.random() < weather.duplication else 1
+        copies = 2 if self._random.random() < conditions.duplication else 1
         for _ in range(copies):
-            delay = weather.delay + self._random.uniform(-weather.jitter, weather.jitter)
+            delay = conditions.delay + self._random.uniform(-conditions.jitter, conditions.jitter)
             heapq.heappush(self._due, (time.monotonic() + delay, next(self._order), way, to, data))
 
     def newest(self) -> int:
@@ -122,7 +122,7 @@ class Impairer:
         now = time.monotonic()
         while self._due and self._due[0][0] <= now:
             _, _, way, to, data = heapq.heappop(self._due)
-            self.carried += 1
+            self.forwarded += 1
             try:
                 way.sendto(data, to)
             except ConnectionError:

@@ -24,15 +24,15 @@ class Mavproxy:
             stderr=subprocess.STDOUT,
             text=True,
         )
-        self._said = ""
-        self._seen = 0
-        threading.Thread(target=self._listen, daemon=True).start()
+        self._output = ""
+        self._searched = 0
+        threading.Thread(target=self._read_output, daemon=True).start()
         self.wait("MAV>", 60)
 
-    def _listen(self) -> None:
+    def _read_output(self) -> None:
         assert self._process.stdout is not None
         while piece := self._process.stdout.read(1):
-            self._said += piece
+            self._output += piece
 
     def enter(self, line: str) -> None:
         assert self._process.stdin is not None
@@ -41,13 +41,13 @@ class Mavproxy:
 
     def wait(self, words: str, seconds: float = 30) -> None:
         def found() -> bool:
-            return self._said.find(words, self._seen) >= 0
+            return self._output.find(words, self._searched) >= 0
 
         try:
             wait_for(f"MAVProxy says {words}", found, seconds)
         except AssertionError as e:
-            raise AssertionError(f"{e}; it said: {self._said[-2000:]}") from e
-        self._seen = self._said.find(words, self._seen) + len(words)
+            raise AssertionError(f"{e}; it said: {self._output[-2000:]}") from e
+        self._searched = self._output.find(words, self._searched) + len(words)
 
     def close(self) -> None:
         # It ends when nobody types any more; asked otherwise it waits for another line.

@@ -22,7 +22,7 @@ WAYPOINT, ABOVE_HOME = 16, 3
 
 
 class Vehicle:
-    """One vehicle, and what it tells of itself."""
+    """One vehicle by its telemetry."""
 
     def __init__(self, system: Any) -> None:
         self.system_id = int(system.get_system_id())
@@ -44,7 +44,7 @@ class Vehicle:
         self._armed = bool(armed)
 
     def read(self) -> dict[str, int]:
-        """How much it has on board."""
+        """Counts of its parameters and mission items."""
         every = self._params.get_all_params()
         counts = len(every.int_params) + len(every.float_params) + len(every.custom_params)
         return {"parameters": counts, "items": len(self._mission.download_mission())}

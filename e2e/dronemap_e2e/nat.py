@@ -1,5 +1,5 @@
 """
-A NAT of our own: new addresses for vehicles every few seconds; it hears what still comes to old ones.
+A NAT of our own: new addresses for vehicles every few seconds; records what still comes to old ones.
 
 Only from the server that it leads to: a fresh port may have been that of an earlier test's vehicle, to which
 another server still speaks.

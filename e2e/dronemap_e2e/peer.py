@@ -1,4 +1,4 @@
-"""A vehicle of our own, spoken with pymavlink: it does what a test tells it to, rightly or not."""
+"""A vehicle made with pymavlink, whose answers a test chooses, rightly or not."""
 
 import socket
 import struct
@@ -21,7 +21,7 @@ SO_TIMESTAMPNS = 35
 
 @dataclass(frozen=True)
 class Kind:
-    """What the peer says it is."""
+    """Type, autopilot, MAVLink version and component of a peer."""
 
     type: int = mavlink.MAV_TYPE_QUADROTOR
     autopilot: int = mavlink.MAV_AUTOPILOT_ARDUPILOTMEGA
@@ -31,7 +31,7 @@ class Kind:
 
 @dataclass
 class State:
-    """What the peer says it does."""
+    """State that a peer reports, and the messages that it received."""
 
     armed: bool = False
     base_mode: int = mavlink.MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
@@ -81,7 +81,7 @@ class Peer:
     def acknowledge(self, message: Any, result: int = ACCEPTED) -> None:
         self.link.command_ack_send(message.command, result)
 
-    def say(self, text: str, severity: int = mavlink.MAV_SEVERITY_CRITICAL) -> None:
+    def send_text(self, text: str, severity: int = mavlink.MAV_SEVERITY_CRITICAL) -> None:
         self.link.statustext_send(severity, text.encode())
 
     def beat(self) -> None:
@@ -94,14 +94,14 @@ class Peer:
             self.state.status,
         )
 
-    def move(self) -> "Peer.Forwarding":
+    def move(self) -> "Peer.FormerAddress":
         """Goes on from another address, as behind a NAT that forgot; keeps what comes to the old one."""
         old = self._socket
         self._socket = self._open(self._to)
         self.port = self._socket.getsockname()[1]
-        return Peer.Forwarding(old)
+        return Peer.FormerAddress(old)
 
-    class Forwarding:
+    class FormerAddress:
         """An address that was left: who may still be spoken to there, and when."""
 
         def __init__(self, old: socket.socket) -> None:
@@ -133,11 +133,11 @@ class Peer:
         self._thread.join()
         self._socket.close()
 
-    def turn(self) -> None:
+    def run_step(self) -> None:
         """Called again and again on the peer's thread; kinds of peers do more here."""
 
     def _receive(self) -> bytes:
-        """Notes when it came to the socket, as the system says, however late it is read."""
+        """Reads data, and notes when it came to the socket by the system's time stamp."""
         data, more, _, _ = self._socket.recvmsg(65535, 64)
         stamps = [each for level, kind, each in more if (level, kind) == (socket.SOL_SOCKET, SO_TIMESTAMPNS)]
         if stamps:
@@ -155,7 +155,7 @@ class Peer:
     def _run(self) -> None:
         next_beat = 0.0
         while not self._closed:
-            self.turn()
+            self.run_step()
             if time.monotonic() >= next_beat:
                 self.beat()
                 next_beat = time.monotonic() + 0.5
@@ -170,7 +170,7 @@ class Peer:
                     handler(self, message)
 
 
-def obey(peer: Peer, message: Any) -> None:
+def apply_command(peer: Peer, message: Any) -> None:
     """Arms, disarms, changes mode and refuses the rest, as an autopilot on the ground would."""
     if message.command == mavlink.MAV_CMD_COMPONENT_ARM_DISARM:
         peer.state.armed = message.param1 == 1
@@ -194,7 +194,7 @@ def set_mode_message(peer: Peer, message: Any) -> None:
     peer.beat()
 
 
-def with_hardware(uid: int, then: Handler = obey) -> Handler:
+def reporting_hardware(uid: int, then: Handler = apply_command) -> Handler:
     """Says which board it is when asked; does with the rest what `then` does."""
 
     def answer(peer: Peer, message: Any) -> None:
@@ -206,4 +206,8 @@ def with_hardware(uid: int, then: Handler = obey) -> Handler:
     return answer
 
 
-OBEDIENT: dict[str, Handler] = {"COMMAND_LONG": obey, "COMMAND_INT": obey, "SET_MODE": set_mode_message}
+STANDARD_HANDLERS: dict[str, Handler] = {
+    "COMMAND_LONG": apply_command,
+    "COMMAND_INT": apply_command,
+    "SET_MODE": set_mode_message,
+}

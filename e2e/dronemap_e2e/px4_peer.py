@@ -62,13 +62,13 @@ class Px4Peer:
         self.peer.state.custom_mode = (AUTO << 16) | (sub << 24)
 
     def _command(self, peer: Peer, message: Any) -> None:
-        result = self._obey(peer, message)
+        result = self._apply_command(peer, message)
         if result != ACCEPTED:
             self.refused.append(message.command)
         peer.acknowledge(message, result)
         peer.beat()
 
-    def _obey(self, peer: Peer, message: Any) -> int:
+    def _apply_command(self, peer: Peer, message: Any) -> int:
         command = message.command
         if command == mavlink.MAV_CMD_COMPONENT_ARM_DISARM:
             peer.state.armed = message.param1 == 1
@@ -80,7 +80,7 @@ class Px4Peer:
         if command == mavlink.MAV_CMD_DO_SET_MODE:
             return self._set_mode(int(message.param2), int(message.param3))
         if command == mavlink.MAV_CMD_REQUEST_MESSAGE:
-            return int(self._tell(int(message.param1)))
+            return int(self._send_requested(int(message.param1)))
         if command == mavlink.MAV_CMD_SET_MESSAGE_INTERVAL:
             return int(ACCEPTED)
         return int(UNSUPPORTED)
@@ -109,7 +109,7 @@ class Px4Peer:
             self.goal = (self.latitude, self.longitude, self.height)
         return int(ACCEPTED)
 
-    def _tell(self, message_id: int) -> int:
+    def _send_requested(self, message_id: int) -> int:
         if message_id == mavlink.MAVLINK_MSG_ID_HOME_POSITION:
             self._home()
             return int(ACCEPTED)

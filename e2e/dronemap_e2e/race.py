@@ -19,7 +19,7 @@ from .peer import Peer
 
 GUIDED = 4
 STEP = 1e-5
-CALM_SECONDS = 1.2
+QUIET_SECONDS = 1.2
 
 
 @dataclass(frozen=True)
@@ -38,32 +38,34 @@ class Move:
 
 
 @dataclass(frozen=True)
-class Seen:
+class ReceivedMove:
     """A go-to at the vehicle's socket, and when it came there (seconds of the clock)."""
 
     move: Move
     at: float
 
 
-class Hoverer:
-    """In the air, guided, and slow to acknowledge: most commands are repeated until somebody stops them."""
+class HoveringCopter:
+    """A copter in the air, guided, and slow to acknowledge: most commands are repeated."""
 
     def __init__(self, port: int, system_id: int) -> None:
-        self.moves: list[Seen] = []
+        self.moves: list[ReceivedMove] = []
         self.peer = Peer(
-            port, system_id=system_id, handlers={"COMMAND_INT": self._obey, "COMMAND_LONG": self._obey}
+            port,
+            system_id=system_id,
+            handlers={"COMMAND_INT": self._apply_command, "COMMAND_LONG": self._apply_command},
         )
         self.peer.state.armed = True
         self.peer.state.custom_mode = GUIDED
         self.peer.state.status = mavlink.MAV_STATE_ACTIVE
 
-    def _obey(self, peer: Peer, message: Any) -> None:
+    def _apply_command(self, peer: Peer, message: Any) -> None:
         if message.command == mavlink.MAV_CMD_DO_SET_MODE:
             peer.state.custom_mode = int(message.param2)
         elif message.command == mavlink.MAV_CMD_NAV_RETURN_TO_LAUNCH:
             peer.state.custom_mode = 6
         elif message.command == mavlink.MAV_CMD_DO_REPOSITION and message.get_type() == "COMMAND_INT":
-            self.moves.append(Seen(Move.of(message), peer.arrived))
+            self.moves.append(ReceivedMove(Move.of(message), peer.arrived))
             if len(self.moves) % 3:
                 return
         else:
@@ -74,7 +76,7 @@ class Hoverer:
 
 
 class Client(Protocol):
-    """Takes the drone over, and says the epoch, or commands it; None: refused, or nobody answered."""
+    """A client that takes a drone over or commands it; None: refused, or no answer."""
 
     def take_over(self) -> int | None: ...
 
@@ -139,8 +141,8 @@ class StreamClient:
 
 
 @dataclass
-class Calm:
-    """Nobody commands: what is repeated now, after control was taken, is of an epoch that is over."""
+class QuietPeriod:
+    """A time in which nobody commands: what is repeated then is of an epoch that is over."""
 
     until: float = 0.0
 
@@ -158,9 +160,9 @@ class Racer:
     seed: int
     allowed: dict[Move, int] = field(default_factory=dict)
     refused: set[Move] = field(default_factory=set)
-    taken: list[tuple[float, int]] = field(default_factory=list)
-    calm_every: int = 8
-    calm: Calm = field(default_factory=Calm)
+    taken_over: list[tuple[float, int]] = field(default_factory=list)
+    quiet_every: int = 8
+    quiet: QuietPeriod = field(default_factory=QuietPeriod)
     prefix: str = field(default_factory=lambda: secrets.token_hex(4))
 
     def command(self, move: Move) -> str:
@@ -174,17 +176,17 @@ class Racer:
             during(round_number)
             move = Move(number)
             number += 2
-            self.calm.wait()
+            self.quiet.wait()
             self._attempt(move, chance.random() < 0.4)
             time.sleep(chance.random() * 0.01)
 
     def _take_over(self) -> None:
         epoch = self.client.take_over()
         if epoch is not None:
-            self.taken.append((time.time(), epoch))
-        if len(self.taken) % self.calm_every == 1:
-            self.calm.until = time.monotonic() + CALM_SECONDS
-            self.calm.wait()
+            self.taken_over.append((time.time(), epoch))
+        if len(self.taken_over) % self.quiet_every == 1:
+            self.quiet.until = time.monotonic() + QUIET_SECONDS
+            self.quiet.wait()
 
     def _attempt(self, move: Move, takes_over: bool) -> None:
         try:
@@ -202,7 +204,7 @@ class Racer:
 def race(racers: list[Racer], rounds: int, during: Callable[[int], None] = lambda _: None) -> None:
     """Lets all race at once; `during` is called by the first one before each of its rounds."""
     for racer in racers:
-        racer.calm = racers[0].calm
+        racer.quiet = racers[0].quiet
     threads = [
         threading.Thread(target=racer.race, args=(rounds, during) if racer is racers[0] else (rounds,))
         for racer in racers
@@ -213,8 +215,10 @@ def race(racers: list[Racer], rounds: int, during: Callable[[int], None] = lambd
         thread.join()
 
 
-def settle(moves: list[Seen], racers: list[Racer], record: Callable[[str], Json | None]) -> int:
-    """Of commands whose answer was lost with the server, the records say the epoch. Returns how many."""
+def fill_epochs_from_records(
+    moves: list[ReceivedMove], racers: list[Racer], record: Callable[[str], Json | None]
+) -> int:
+    """Takes the epochs of commands whose answers were lost from their records. Returns how many."""
     asked = 0
     for move in {seen.move for seen in moves}:
         racer = racers[move.number % len(racers)]
@@ -226,8 +230,8 @@ def settle(moves: list[Seen], racers: list[Racer], record: Callable[[str], Json 
     return asked
 
 
-def judge(moves: list[Seen], racers: list[Racer]) -> int:
-    """What reached the vehicle, in order: no refused command, epochs that never fall, one holder each; and
+def check_epochs(moves: list[ReceivedMove], racers: list[Racer]) -> int:
+    """Checks what reached the vehicle: no refused command, epochs that never fall, one holder each; and
     nothing of an epoch after somebody had been told of a later one.
 
     Returns how often control changed hands on the wire.
@@ -235,7 +239,7 @@ def judge(moves: list[Seen], racers: list[Racer]) -> int:
     holders: dict[int, str] = {}
     newest = 0
     changes = 0
-    taken = sorted(each for racer in racers for each in racer.taken)
+    taken_over = sorted(each for racer in racers for each in racer.taken_over)
     for seen in moves:
         move = seen.move
         racer = racers[move.number % len(racers)]
@@ -243,8 +247,11 @@ def judge(moves: list[Seen], racers: list[Racer]) -> int:
         assert move in racer.allowed, f"nobody was allowed to send {move}"
         epoch = racer.allowed[move]
         assert epoch >= newest, f"{move} of epoch {epoch} was sent after epoch {newest}"
-        told = max((later for at, later in taken[: bisect.bisect_left(taken, (seen.at, 0))][-5:]), default=0)
-        assert epoch >= told, f"{move} of epoch {epoch} was sent after epoch {told} was given"
+        given = max(
+            (later for at, later in taken_over[: bisect.bisect_left(taken_over, (seen.at, 0))][-5:]),
+            default=0,
+        )
+        assert epoch >= given, f"{move} of epoch {epoch} was sent after epoch {given} was given"
         changes += epoch > newest > 0
         newest = epoch
         assert holders.setdefault(epoch, racer.name) == racer.name, f"epoch {epoch} has two holders"

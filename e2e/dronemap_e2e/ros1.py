@@ -47,13 +47,15 @@ class Ros:
         # Nodes wait for it by themselves.
         self._start("core", CORE, "-p", str(port))
 
-    def machine(self, picture: Path) -> "Machine":
-        return Machine(self._start("machine", str(PROGRAMS / "ros1_machine.py"), str(picture), heard=True))
+    def robot(self, picture: Path) -> "RobotProcess":
+        return RobotProcess(
+            self._start("machine", str(PROGRAMS / "ros1_robot.py"), str(picture), read_output=True)
+        )
 
-    def copter(self, namespace: str) -> "Machine":
+    def copter(self, namespace: str) -> "RobotProcess":
         """Behind a stand-in for mavros."""
         program = str(PROGRAMS / "ros1_copter.py")
-        return Machine(self._start("copter", program, namespace=namespace, heard=True))
+        return RobotProcess(self._start("copter", program, namespace=namespace, read_output=True))
 
     def bridge(self, server: Server, system_id: int, key: str, *options: str, namespace: str = "") -> Process:
         return self._start(
@@ -63,12 +65,12 @@ class Ros:
             namespace=namespace,
         )
 
-    def _start(self, name: str, *arguments: str, namespace: str = "", heard: bool = False) -> Process:
+    def _start(self, name: str, *arguments: str, namespace: str = "", read_output: bool = False) -> Process:
         with (self._folder / f"{name}.log").open("w") as log:
             process = subprocess.Popen(
                 [PYTHON, *arguments],
                 env={**self._environment, "ROS_NAMESPACE": namespace},
-                stdout=subprocess.PIPE if heard else log,
+                stdout=subprocess.PIPE if read_output else log,
                 stderr=log,
                 text=True,
             )
@@ -86,11 +88,11 @@ class Ros:
                 process.wait()
 
 
-class Machine:
-    """What the robot was told, in its own words."""
+class RobotProcess:
+    """A robot's process, and the orders that it prints."""
 
     def __init__(self, process: Process) -> None:
-        self._heard: list[Json] = []
+        self._orders: list[Json] = []
         assert process.stdout
         threading.Thread(target=self._listen, args=(process.stdout,), daemon=True).start()
 
@@ -98,13 +100,13 @@ class Machine:
         for line in lines:
             # Between them stand rospy's own remarks.
             if line.startswith("{"):
-                self._heard.append(json.loads(line))
+                self._orders.append(json.loads(line))
 
-    def told(self, what: str) -> list[Json]:
-        return [one for one in list(self._heard) if one["what"] == what]
+    def orders(self, what: str) -> list[Json]:
+        return [one for one in list(self._orders) if one["what"] == what]
 
     @property
     def forward(self) -> float | None:
-        """m/s that it was told last; None before the first."""
-        speeds = self.told("cmd_vel")
+        """m/s that it was last ordered to drive; None before the first order."""
+        speeds = self.orders("cmd_vel")
         return float(speeds[-1]["forward"]) if speeds else None

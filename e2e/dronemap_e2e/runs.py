@@ -1,23 +1,23 @@
-"""Mission runs as tests see them: what plans take, how it stands, and where drones truly were."""
+"""Mission runs for tests: plans, stages and waypoints of a run, and the drones' tracks."""
 
 import math
 
 from .api import Api, Json
 from .flight import EARTH_RADIUS_METERS
-from .tap import Tap
+from .message_recorder import MessageRecorder
 from .waiting import wait_for
 
 Track = list[tuple[float, float, float]]
 
 
-def known(api: Api, system_id: int) -> Json | None:
+def ready_drone(api: Api, system_id: int) -> Json | None:
     """The drone, once all is known of it that a plan takes."""
     drone = api.ready(system_id)
     complete = drone and drone["battery"] and drone["link"]["quality"]["lossShort"] is not None
     return drone if complete else None
 
 
-def planned(api: Api, drones: list[Json], waypoints: list[Json]) -> str:
+def create_plan(api: Api, drones: list[Json], waypoints: list[Json]) -> str:
     """A plan for all of them, once it is found."""
     asked = api.call(
         "POST",
@@ -39,7 +39,7 @@ def stages(run: Json) -> dict[str, str]:
     return {drone["id"]: drone["stage"] for drone in run["drones"]}
 
 
-def of(run: Json, drone: str, state: str) -> list[Json]:
+def waypoints_in_state(run: Json, drone: str, state: str) -> list[Json]:
     """Its waypoints in that state."""
     return [
         one
@@ -48,19 +48,23 @@ def of(run: Json, drone: str, state: str) -> list[Json]:
     ]
 
 
-def tracks(tap: Tap, drones: list[Json], first_system_id: int, begin: int = 0) -> dict[str, Track]:
-    """Where each was from that report on, by its own word on the wire, also while no server listened."""
+def tracks(
+    recorder: MessageRecorder, drones: list[Json], first_system_id: int, begin: int = 0
+) -> dict[str, Track]:
+    """Tracks from that report on, by the drones' own reports, also while no server listened."""
     flown: dict[str, Track] = {drone["id"]: [] for drone in drones}
     of_system = {first_system_id + n: drone["id"] for n, drone in enumerate(drones)}
-    for heard in tap.heard("GLOBAL_POSITION_INT", up=True)[begin:]:
-        said = heard.message
-        if said.get_srcSystem() in of_system:
-            flown[of_system[said.get_srcSystem()]].append((said.lat / 1e7, said.lon / 1e7, said.alt / 1e3))
+    for recorded in recorder.messages("GLOBAL_POSITION_INT", up=True)[begin:]:
+        message = recorded.message
+        if message.get_srcSystem() in of_system:
+            flown[of_system[message.get_srcSystem()]].append(
+                (message.lat / 1e7, message.lon / 1e7, message.alt / 1e3)
+            )
     return flown
 
 
 def distance(waypoint: Json, track: Track) -> float:
-    """How near a drone came to it, height included."""
+    """Metres at which a drone came nearest to a waypoint, height included."""
     per_degree = math.radians(1) * EARTH_RADIUS_METERS
     east = per_degree * math.cos(math.radians(waypoint["latitude"]))
     return min(
@@ -73,6 +77,6 @@ def distance(waypoint: Json, track: Track) -> float:
     )
 
 
-def ended(api: Api, run: str) -> Json | None:
+def run_if_over(api: Api, run: str) -> Json | None:
     now = api.get(run)
     return now if now["state"] == "over" else None

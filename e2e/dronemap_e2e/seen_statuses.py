@@ -1,4 +1,4 @@
-"""With which statuses REST answers: a whole run holds them against those that are listed."""
+"""Records the statuses that REST answers with; a whole run compares them with those listed."""
 
 import os
 from pathlib import Path

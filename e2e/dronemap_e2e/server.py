@@ -9,7 +9,7 @@ from typing import Any
 
 import requests
 
-from . import prepared
+from . import server_template
 from .ports import free_port
 from .waiting import wait_for
 
@@ -25,12 +25,17 @@ class Server:
     """One server process; it may be killed and started again over the same data."""
 
     def __init__(
-        self, data: Path, as_shipped: bool = False, begun: bool = True, heap: str = "384m", **settings: str
+        self,
+        data: Path,
+        as_shipped: bool = False,
+        copy_initial_data: bool = True,
+        heap: str = "384m",
+        **settings: str,
     ) -> None:
         """`as_shipped`: for tests that measure it; `begun`: where no folder is yet, it is a copy of what
         a first start leaves, which is quicker than another; `heap`: its most, as Java has it."""
         self.data = data
-        self._begun = begun and "DRONEMAP_DATABASE_URL" not in settings
+        self._begun = copy_initial_data and "DRONEMAP_DATABASE_URL" not in settings
         self._options = [f"-Xmx{heap}", *([] if as_shipped else [QUICK])]
         self.http_port = free_port()
         self.stream_port = free_port()
@@ -44,7 +49,7 @@ class Server:
         self.robot_web_port = free_port()
         self._settings = settings
         self._process: subprocess.Popen[bytes] | None = None
-        self._told_before = 0
+        self._log_offset = 0
 
     @property
     def address(self) -> str:
@@ -86,9 +91,9 @@ class Server:
 
     def begin(self) -> None:
         """Does not wait until it is up."""
-        jar = prepared.unpacked(SERVER_JAR)
+        jar = server_template.unpacked(SERVER_JAR)
         if self._begun and not self.data.exists():
-            prepared.begun(SERVER_JAR, self.data, _first_start)
+            server_template.copy_initial_data(SERVER_JAR, self.data, _first_start)
         self.data.mkdir(parents=True, exist_ok=True)
         # A developer's own settings, above all a database, are nothing for tests.
         inherited = {name: value for name, value in os.environ.items() if not name.startswith("DRONEMAP_")}
@@ -110,7 +115,7 @@ class Server:
             ),
         }
         with self._log.open("ab") as log:
-            self._told_before = log.tell()
+            self._log_offset = log.tell()
             self._process = subprocess.Popen(
                 ["java", *self._options, "-jar", str(jar)],
                 env=environment | self._settings,
@@ -149,7 +154,7 @@ class Server:
         except (requests.ConnectionError, requests.Timeout):
             return False
         body: dict[str, Any] = answer.json() if answer.ok else {}
-        return body.get("status") == "up" and READY in self._log.read_bytes()[self._told_before :]
+        return body.get("status") == "up" and READY in self._log.read_bytes()[self._log_offset :]
 
     @property
     def _log(self) -> Path:
@@ -160,7 +165,7 @@ class Server:
 
 
 def _first_start(data: Path) -> None:
-    server = Server(data, begun=False)
+    server = Server(data, copy_initial_data=False)
     server.start()
     server.stop()
     (data / "server.log").unlink()

@@ -6,7 +6,7 @@ from typing import Any
 
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
-from .peer import OBEDIENT, Handler, Peer
+from .peer import STANDARD_HANDLERS, Handler, Peer
 
 TICKS_PER_SECOND = 100_000
 EPOCH_2015 = 1_420_070_400
@@ -23,7 +23,9 @@ class SigningPeer(Peer):
     def __init__(self, port: int, system_id: int, handlers: dict[str, Handler] | None = None) -> None:
         self.keys: list[bytes] = []
         super().__init__(
-            port, system_id=system_id, handlers=OBEDIENT | {"SETUP_SIGNING": take_key} | (handlers or {})
+            port,
+            system_id=system_id,
+            handlers=STANDARD_HANDLERS | {"SETUP_SIGNING": apply_signing_key} | (handlers or {}),
         )
 
     def use_key(self, key: bytes, timestamp: int) -> None:
@@ -38,8 +40,8 @@ class SigningPeer(Peer):
         return int(self.link.signing.badsig_count)
 
 
-def take_key(peer: Peer, message: Any) -> None:
-    """As ArduPilot: at once, with a time a minute after the one that came along; zeros end it."""
+def apply_signing_key(peer: Peer, message: Any) -> None:
+    """Applies a key as ArduPilot does: at once, a minute after the time that came along; zeros end it."""
     assert isinstance(peer, SigningPeer)
     key = bytes(message.secret_key)
     peer.keys.append(key)

@@ -51,26 +51,26 @@ class Simulator:
 
     def fault(self, words: str) -> None:
         """Orders a fault: "7 alter RTL_ALT", "all silent 10s" …"""
-        answer = self.ask(f"fault {words}")
+        answer = self.send_command(f"fault {words}")
         assert answer.startswith("ok"), answer
 
     def payload(self, system_id: int) -> str:
-        """What a vehicle did with its camera and relays: "pictures 1 relays on: 0"."""
+        """Counts of a vehicle's camera and relays: "pictures 1 relays on: 0"."""
         return self._line("payload", system_id)
 
     def armed(self, system_id: int) -> bool:
         return " armed " in self._line("list", system_id)
 
     def place(self, system_id: int) -> tuple[float, float, float]:
-        """Where a vehicle truly is: latitude and longitude in degrees, metres above its home."""
+        """True place of a vehicle: latitude and longitude in degrees, metres above its home."""
         latitude, longitude, height = map(float, self._line("where", system_id).split())
         return latitude, longitude, height
 
     def _line(self, words: str, system_id: int) -> str:
-        lines = self.ask(words).splitlines()
+        lines = self.send_command(words).splitlines()
         return next(line.split(" ", 1)[1] for line in lines if line.startswith(f"{system_id} "))
 
-    def ask(self, words: str) -> str:
+    def send_command(self, words: str) -> str:
         """The answer of the control port, up to the line that ends it."""
         port = wait_for("the control port is open", self._connect, 20)
         with port, port.makefile("rw", encoding="utf-8", newline="\n") as line:

@@ -35,8 +35,8 @@ def launch(playwright: Playwright, *arguments: str, home: Path | None = None) ->
     )
 
 
-class Hands(Protocol):
-    """How a person presses, holds and points."""
+class InputMethod(Protocol):
+    """Presses, holds and points as a person does."""
 
     def press(self, page: Page, target: Locator) -> None: ...
 
@@ -107,9 +107,9 @@ class Keyboard:
 class Station:
     """One open page."""
 
-    def __init__(self, page: Page, hands: Hands) -> None:
+    def __init__(self, page: Page, input_method: InputMethod) -> None:
         self.page = page
-        self.hands = hands
+        self.input_method = input_method
 
     def sign_in(self, address: str, name: str, password: str, new_password: str) -> None:
         self.page.goto(address)
@@ -125,7 +125,7 @@ class Station:
             self.press("Save and continue")
 
     def choose(self, drone: str) -> None:
-        self.hands.press(self.page, self.page.get_by_role("button").filter(has_text=drone).first)
+        self.input_method.press(self.page, self.page.get_by_role("button").filter(has_text=drone).first)
         expect(self.button("Arm")).to_be_visible()
 
     def button(self, label: str) -> Locator:
@@ -133,12 +133,12 @@ class Station:
 
     def press(self, label: str) -> None:
         expect(self.button(label)).not_to_have_attribute("aria-disabled", "true")
-        self.hands.press(self.page, self.button(label))
+        self.input_method.press(self.page, self.button(label))
 
     def hold(self, label: str) -> None:
         expect(self.button(label)).to_have_attribute("aria-disabled", "false")
-        self.hands.hold(self.page, self.button(label))
+        self.input_method.hold(self.page, self.button(label))
 
     def shows(self, text: str, seconds: float = 30) -> None:
-        """That text becomes visible."""
+        """Expects that text to become visible."""
         expect(self.page.get_by_text(text).first).to_be_visible(timeout=seconds * 1000)

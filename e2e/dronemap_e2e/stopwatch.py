@@ -15,7 +15,7 @@ WORK = f"total = 0\nfor step in range({STEPS}):\n    total += step"
 
 
 def slowness() -> float:
-    """How many times as long as at rest pieces of work take just now, one on each core; at least 1."""
+    """Factor by which work takes longer now than at rest, one piece on each core; at least 1."""
     began = time.monotonic()
     workers = [subprocess.Popen([sys.executable, "-S", "-c", WORK]) for _ in range(os.cpu_count() or 1)]
     for worker in workers:
@@ -23,8 +23,8 @@ def slowness() -> float:
     return max(1.0, (time.monotonic() - began) / STEPS_SECONDS)
 
 
-class Crowd:
-    """How many threads of the machine wanted a core at once, on average since its making."""
+class CoreLoad:
+    """Measures how many threads of the machine wanted a core at once, on average since its making."""
 
     def __init__(self) -> None:
         self._samples: list[int] = []
@@ -56,13 +56,13 @@ class Stopwatch:
 
     def __init__(self) -> None:
         self._slowness = slowness()
-        self._crowd = Crowd()
+        self._load = CoreLoad()
         self._began = time.monotonic()
 
     def expect_at_most(self, seconds: float) -> None:
         """Not more has gone by than promised; on a busy machine, than promised times its slowness."""
         took = time.monotonic() - self._began
-        factor = max(self._slowness, self._crowd.per_core(), slowness())
+        factor = max(self._slowness, self._load.per_core(), slowness())
         assert took <= seconds * factor, (
             f"{took:.1f} s instead of {seconds:g} s (the machine is {factor:.1f} times slower)"
         )

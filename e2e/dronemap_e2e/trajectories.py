@@ -1,4 +1,4 @@
-"""What truly came of a mission run: visits, fences and distances, from where vehicles were alone."""
+"""Judges a mission run by the vehicles' positions alone: visits, fences and distances."""
 
 import bisect
 import math
@@ -20,7 +20,7 @@ STRIDE_SECONDS = 0.1
 
 @dataclass(frozen=True)
 class Fix:
-    """Where one vehicle was: seconds of the clock of all, metres from one place, and over its home."""
+    """A position of one vehicle: seconds of a common clock, metres from one place, and over its home."""
 
     seconds: float
     east: float
@@ -62,7 +62,7 @@ class Disc:
 
 @dataclass(frozen=True)
 class Nearest:
-    """How near two vehicles in the air came to each other where height did not keep them apart."""
+    """The nearest approach of two vehicles in the air that height did not keep apart."""
 
     metres: float
     height: float
@@ -109,7 +109,7 @@ class Track:
 
 
 def visits(tracks: dict[int, Track], spots: Sequence[Spot]) -> list[Visit]:
-    """Who came to which waypoint and slowed down there; once until it has gone away again."""
+    """Visits of waypoints at which a vehicle slowed down; one until it has gone away again."""
     found = []
     for vehicle, track in tracks.items():
         there: set[str] = set()
@@ -159,7 +159,7 @@ def _strides(track: Track) -> Iterator[Fix]:
 
 
 def nearest(tracks: dict[int, Track]) -> Nearest | None:
-    """Of all pairs that height did not keep apart; None: nobody was ever beside anybody."""
+    """The nearest pair that height did not keep apart; None: there was none."""
     least: Nearest | None = None
     starts = [track.fixes[0].seconds for track in tracks.values() if track.fixes]
     ends = [track.fixes[-1].seconds for track in tracks.values() if track.fixes]

@@ -1,4 +1,4 @@
-"""What a version stores while much is under way, for the test that later versions take it up.
+"""Stores what a version has while much is under way, for the test that later versions take it up.
 
     python -m dronemap_e2e.upgrade FOLDER
 
@@ -17,8 +17,8 @@ from pathlib import Path
 
 from .api import Api, Json
 from .flight import Point, flight_of, items, triangle
-from .followed import Followed
-from .runs import known, planned, stages
+from .followed_phones import FollowedPhone
+from .runs import create_plan, ready_drone, stages
 from .server import Server
 from .simulator import Simulator
 from .waiting import wait_for
@@ -37,45 +37,45 @@ PASSWORD = "a password of the fixture"
 LEFT_OUT = {"postgres", "server.log"}
 
 
-def made(api: Api, path: str, body: Json) -> Json:
+def create(api: Api, path: str, body: Json) -> Json:
     answer = api.call("POST", path, body)
     assert answer.status_code in (200, 201, 202), f"{path}: {answer.text}"
-    said: Json = answer.json()
-    return said
+    body_of_answer: Json = answer.json()
+    return body_of_answer
 
 
-def changed(api: Api, method: str, path: str, body: Json | None = None) -> None:
+def change(api: Api, method: str, path: str, body: Json | None = None) -> None:
     answer = api.call(method, path, body)
     assert answer.ok, f"{path}: {answer.text}"
 
 
-def people(server: Server, api: Api) -> Api:
+def create_people(server: Server, api: Api) -> Api:
     """An operator with a password of his own, of whom an administrator set the first one."""
     first = secrets.token_hex(10)
-    made(api, "/users", {"name": "pilot", "password": first, "role": "operator"})
+    create(api, "/users", {"name": "pilot", "password": first, "role": "operator"})
     pilot = Api(server.address)
-    changed(pilot, "POST", "/session", {"name": "pilot", "password": first})
-    changed(pilot, "POST", "/session/password", {"current": first, "next": PASSWORD})
-    made(api, "/invitations", {"label": "a guest", "role": "viewer"})
-    made(api, "/organisations", {"name": "Surveyors"})
+    change(pilot, "POST", "/session", {"name": "pilot", "password": first})
+    change(pilot, "POST", "/session/password", {"current": first, "next": PASSWORD})
+    create(api, "/invitations", {"label": "a guest", "role": "viewer"})
+    create(api, "/organisations", {"name": "Surveyors"})
     return pilot
 
 
-def rights(api: Api, pilot: Api, drones: list[Json]) -> Json:
+def create_rights(api: Api, pilot: Api, drones: list[Json]) -> Json:
     """Keys, grants and what seals them; what is shown only once is what this answers."""
     home = drones[0]["home"]
     circle = {"type": "Point", "coordinates": [home["longitude"], home["latitude"]], "radius": 500}
-    key = made(pilot, "/access-keys", {"label": "field", "area": circle, "ceiling": 60})
+    key = create(pilot, "/access-keys", {"label": "field", "area": circle, "ceiling": 60})
     narrow = {"label": "one drone", "drones": [drones[0]["id"]], "operations": ["view", "command"]}
-    made(pilot, "/access-keys", narrow)
-    group = made(api, "/groups", {"name": "crew", "members": ["pilot"]})
-    fleet = made(api, "/fleets", {"name": "roofs", "drones": [drones[0]["id"], drones[1]["id"]]})
-    made(api, "/grants", {"group": group["id"], "fleet": fleet["id"], "operations": ["view", "plan"]})
-    made(api, "/grants", {"user": "pilot", "all": True, "operations": ["view", "plan", "command"]})
-    robot = made(api, "/robot-keys", {"label": "a robot", "systemId": 7, "owner": "26"})
+    create(pilot, "/access-keys", narrow)
+    group = create(api, "/groups", {"name": "crew", "members": ["pilot"]})
+    fleet = create(api, "/fleets", {"name": "roofs", "drones": [drones[0]["id"], drones[1]["id"]]})
+    create(api, "/grants", {"group": group["id"], "fleet": fleet["id"], "operations": ["view", "plan"]})
+    create(api, "/grants", {"user": "pilot", "all": True, "operations": ["view", "plan", "command"]})
+    robot = create(api, "/robot-keys", {"label": "a robot", "systemId": 7, "owner": "26"})
     passphrase = pilot.call("PUT", "/outlet/passphrase", {}).json()["passphrase"]
-    dtls = made(api, "/dtls-keys", {"label": "a copter"})
-    link = made(api, f"/drones/{drones[VIRTUAL]['id']}/link-key", {})
+    dtls = create(api, "/dtls-keys", {"label": "a copter"})
+    link = create(api, f"/drones/{drones[VIRTUAL]['id']}/link-key", {})
     return {
         "accessKey": key["key"],
         "robotKey": robot["id"],
@@ -85,7 +85,7 @@ def rights(api: Api, pilot: Api, drones: list[Json]) -> Json:
     }
 
 
-def zones(api: Api, home: Json, drone: Json) -> None:
+def create_zones(api: Api, home: Json, drone: Json) -> None:
     place = [home["longitude"], home["latitude"]]
     away = [place[0] + 0.02, place[1]]
     square = [
@@ -101,10 +101,10 @@ def zones(api: Api, home: Json, drone: Json) -> None:
             {"name": "field", "kind": "inclusion", "radius": 3000, "ceiling": 120, "drone": drone["id"]},
         ),
     ):
-        made(api, "/zones", {"type": "Feature", "geometry": geometry, "properties": properties})
+        create(api, "/zones", {"type": "Feature", "geometry": geometry, "properties": properties})
 
 
-def flown(api: Api, drone: Json) -> None:
+def record_flight(api: Api, drone: Json) -> None:
     """A flight that is over, with its recording."""
     api.do(drone["id"], type="setMode", mode="GUIDED")
     api.do(drone["id"], type="arm")
@@ -135,46 +135,48 @@ def waypoints(home: Json) -> list[Json]:
     ]
 
 
-def run(api: Api, drones: list[Json]) -> str:
-    plan = planned(api, drones, waypoints(drones[0]["home"]))
-    begun = made(api, "/runs", {"plan": plan, "name": "roofs", "onCloudLoss": "continue"})
+def start_run(api: Api, drones: list[Json]) -> str:
+    plan = create_plan(api, drones, waypoints(drones[0]["home"]))
+    begun = create(api, "/runs", {"plan": plan, "name": "roofs", "onCloudLoss": "continue"})
     return str(begun["id"])
 
 
-def virtual(api: Api, pilot: Api, drone: Json) -> tuple[str, str]:
+def start_virtual_drones(api: Api, pilot: Api, drone: Json) -> tuple[str, str]:
     """One that flies, and one that waits for a drone."""
     corners: list[Point] = triangle(drone["home"], altitude=30, side=150)
     ids = [
-        made(pilot, "/virtual-drones", {"name": name, "items": items(corners)})["id"]
+        create(pilot, "/virtual-drones", {"name": name, "items": items(corners)})["id"]
         for name in ("Survey", "Second survey")
     ]
     for one in ids:
-        made(pilot, f"/virtual-drones/{one}/start", {})
-    changed(api, "PUT", f"/warehouse/{drone['id']}")
+        create(pilot, f"/virtual-drones/{one}/start", {})
+    change(api, "PUT", f"/warehouse/{drone['id']}")
     return ids[0], ids[1]
 
 
-def held(pilot: Api, drone: Json) -> None:
+def hold_control(pilot: Api, drone: Json) -> None:
     """A drone that hovers under a person's control, taken on purpose."""
     pilot.do(drone["id"], type="setMode", mode="GUIDED")
     pilot.do(drone["id"], type="arm")
     pilot.do(drone["id"], type="takeOff", altitude=5)
-    made(pilot, f"/drones/{drone['id']}/control/take", {})
+    create(pilot, f"/drones/{drone['id']}/control/take", {})
     until = time.monotonic() + KEPT_SECONDS
     wait_for("its mode is kept with who has it", lambda: time.monotonic() > until)
 
 
 def under_way(api: Api, pilot: Api, drones: list[Json]) -> Json:
-    given_up, follow = (Followed(FIRST_SYSTEM_ID + FOLLOW, drones[FOLLOW], HEIGHT, 600) for _ in range(2))
-    given_up.ask(pilot)
-    given_up.wish(pilot, "cancel")
-    follow.ask(pilot)
-    follow.wish(pilot, "start")
-    flies, waits = virtual(api, pilot, drones[VIRTUAL])
-    mission = run(pilot, drones[RUN])
+    given_up, follow = (
+        FollowedPhone(FIRST_SYSTEM_ID + FOLLOW, drones[FOLLOW], HEIGHT, 600) for _ in range(2)
+    )
+    given_up.request_follow(pilot)
+    given_up.request(pilot, "cancel")
+    follow.request_follow(pilot)
+    follow.request(pilot, "start")
+    flies, waits = start_virtual_drones(api, pilot, drones[VIRTUAL])
+    mission = start_run(pilot, drones[RUN])
 
     def together() -> bool:
-        follow.say(pilot)
+        follow.send_position(pilot)
         now = api.get(f"/runs/{mission}")
         return (
             set(stages(now).values()) == {"flying"}
@@ -186,7 +188,7 @@ def under_way(api: Api, pilot: Api, drones: list[Json]) -> Json:
     wait_for("a run, a follow and a virtual drone's mission are under way together", together, 180)
     barrier = triangle(drones[0]["home"], side=-900)
     ring = [[corner.longitude, corner.latitude] for corner in (*barrier, barrier[0])]
-    made(
+    create(
         pilot,
         f"/runs/{mission}/barriers",
         {
@@ -198,11 +200,11 @@ def under_way(api: Api, pilot: Api, drones: list[Json]) -> Json:
     until = time.monotonic() + TOGETHER_SECONDS
 
     def gone_on() -> bool:
-        follow.say(pilot)
+        follow.send_position(pilot)
         return time.monotonic() > until
 
     wait_for("they go on", gone_on, 2 * TOGETHER_SECONDS)
-    held(pilot, drones[HELD])
+    hold_control(pilot, drones[HELD])
     return {"run": mission, "follow": follow.follow, "virtualDrone": flies, "waitingVirtualDrone": waits}
 
 
@@ -219,7 +221,7 @@ def keep(server: Server, api: Api, folder: Path, facts: Json) -> None:
 
 def store(folder: Path) -> None:
     with tempfile.TemporaryDirectory() as temporary:
-        server = Server(Path(temporary) / "data", begun=False)
+        server = Server(Path(temporary) / "data", copy_initial_data=False)
         server.start()
         connect = f"udp://127.0.0.1:{server.udp_port}"
         options = ("--count", str(COUNT), "--speedup", SPEEDUP, "--sysid", str(FIRST_SYSTEM_ID))
@@ -227,13 +229,13 @@ def store(folder: Path) -> None:
         try:
             api = Api(server.address, server.local_key())
             ids = range(FIRST_SYSTEM_ID, FIRST_SYSTEM_ID + COUNT)
-            drones = [wait_for("a copter is known", partial(known, api, one), 120) for one in ids]
-            pilot = people(server, api)
-            shown = rights(api, pilot, drones)
+            drones = [wait_for("a copter is known", partial(ready_drone, api, one), 120) for one in ids]
+            pilot = create_people(server, api)
+            shown = create_rights(api, pilot, drones)
             home = drones[0]["home"]
-            zones(api, home, drones[0])
-            made(pilot, "/missions", {"name": "roof", "items": items(triangle(home))})
-            flown(pilot, drones[FOLLOW])
+            create_zones(api, home, drones[0])
+            create(pilot, "/missions", {"name": "roof", "items": items(triangle(home))})
+            record_flight(pilot, drones[FOLLOW])
             facts = {
                 "account": {"name": "pilot", "password": PASSWORD},
                 "shown": shown,

@@ -1,4 +1,4 @@
-"""Who carries a phone and wants to be followed; and the page on that phone."""
+"""A person with a phone who wants to be followed, and the page on that phone."""
 
 import math
 import os
@@ -17,7 +17,7 @@ METRES_PER_DEGREE = 111_195
 ACCURACY_METRES = 4
 
 
-def a_person(api: Api) -> tuple[str, str]:
+def create_operator(api: Api) -> tuple[str, str]:
     name, password = f"walker-{secrets.token_hex(3)}", secrets.token_hex(10)
     made = api.call("POST", "/users", {"name": name, "password": password, "role": "operator"})
     assert made.status_code == 201, made.text
@@ -25,7 +25,7 @@ def a_person(api: Api) -> tuple[str, str]:
 
 
 def sign_in(page: Page, address: str, api: Api) -> None:
-    name, password = a_person(api)
+    name, password = create_operator(api)
     page.goto(address)
     page.get_by_label("User name").fill(name)
     page.get_by_label("Password", exact=True).fill(password)
@@ -35,7 +35,7 @@ def sign_in(page: Page, address: str, api: Api) -> None:
     expect(page.get_by_role("heading", name="A drone that follows you")).to_be_visible()
 
 
-def phone(browser: Browser, at: Point | None = None, dark: bool = False) -> Page:
+def open_phone_page(browser: Browser, at: Point | None = None, dark: bool = False) -> Page:
     """A page as big as a phone's, whose receiver says that it is there."""
     return open_page(
         browser,
@@ -67,7 +67,7 @@ def _fix(at: Point) -> Geolocation:
 
 @dataclass
 class Walker:
-    """Who carries the phone; metres from the drone's home."""
+    """The person who carries the phone; metres from the drone's home."""
 
     page: Page
     home: Json
@@ -87,7 +87,7 @@ class Walker:
         self.north += north
         self.context.set_geolocation(_fix(self.place))
 
-    def stands_until(self, words: str, seconds: float = 20) -> None:
+    def wait_for_heading(self, words: str, seconds: float = 20) -> None:
         heading = self.page.get_by_role("heading", level=1)
 
         def reads() -> bool:
@@ -96,16 +96,16 @@ class Walker:
 
         wait_for(f"the page says {words}", reads, seconds)
 
-    def reads(self, *words: str, seconds: float = 30) -> str:
-        """What one line of the page says, once it has these words."""
+    def wait_for_line(self, *words: str, seconds: float = 30) -> str:
+        """Text of one line of the page, once it has these words."""
         line = self.page.get_by_role("listitem").filter(has_text=words[0])
 
-        def said() -> str | None:
+        def read() -> str | None:
             self.step()
             text = line.inner_text() if line.is_visible() else ""
             return text if all(one in text for one in words) else None
 
         try:
-            return wait_for(f"the page says {words[0]}", said, seconds)
+            return wait_for(f"the page says {words[0]}", read, seconds)
         except AssertionError as missing:
             raise AssertionError(f"{missing}; it says: {self.page.inner_text('body')}") from missing

@@ -1,4 +1,4 @@
-"""Records what real clients say to a server, in files: python -m dronemap_e2e.wire FOLDER
+"""Records requests of real clients to a server, in files: python -m dronemap_e2e.wire FOLDER
 
 What the server answers is in the files too, and is what the test that replays them approves
 (docs/how-to-add/wire.md). Needs curl, php with its soap extension, and chromium."""
@@ -12,20 +12,20 @@ from playwright.sync_api import sync_playwright
 
 from . import wire_curl, wire_files
 from .api import Api
-from .runs import known
+from .runs import ready_drone
 from .server import Server
 from .simulator import QUICK_FLIGHT, Simulator
 from .station import launch
 from .waiting import wait_for
-from .wire_clients import NEAR, Curl, called, php, zeep_client
+from .wire_clients import NEAR, Curl, call_operation, run_php, zeep_client
 from .wire_page import use_page
-from .wire_relay import Relay
+from .wire_relay import ReliefTrial
 
 CONTROLLER = "MAVLinkControllerService"
 POINT = {"waypoint": NEAR}
 
 
-def _by_curl(relay: Relay, curl: Curl) -> tuple[str, str]:
+def _by_curl(relay: ReliefTrial, curl: Curl) -> tuple[str, str]:
     first, second = wire_curl.look(curl)
     wire_curl.people(curl, first)
     wire_curl.sign_in(curl, relay)
@@ -41,63 +41,65 @@ def _by_curl(relay: Relay, curl: Curl) -> tuple[str, str]:
     return first, second
 
 
-def _by_zeep(relay: Relay, key: str, drone: str) -> None:
+def _by_zeep(relay: ReliefTrial, key: str, drone: str) -> None:
     def client(service: str, version: str = "1.1") -> Any:
         return zeep_client(relay, key, version, service)
 
     controller = client(CONTROLLER)
-    called(controller, "getDronesList")
-    called(controller, "getDrone", droneId=drone)
-    called(controller, "getDrone", droneId=wire_curl.NOBODY)
-    called(controller, "setMode", droneId=drone, mode="NOSUCHMODE")
-    called(controller, "setHome", droneId=drone, latitude=47.3977, longitude=8.5456, altitude=488.0)
-    called(controller, "takePicture", droneId=drone)
-    called(controller, "setRelay", droneId=drone, relay=4, setting="toggle")
-    called(controller, "setRelay", droneId=drone, relay=400, setting="toggle")
-    called(controller, "listParameters", droneId=drone, search="NOSUCH")
+    call_operation(controller, "getDronesList")
+    call_operation(controller, "getDrone", droneId=drone)
+    call_operation(controller, "getDrone", droneId=wire_curl.NOBODY)
+    call_operation(controller, "setMode", droneId=drone, mode="NOSUCHMODE")
+    call_operation(controller, "setHome", droneId=drone, latitude=47.3977, longitude=8.5456, altitude=488.0)
+    call_operation(controller, "takePicture", droneId=drone)
+    call_operation(controller, "setRelay", droneId=drone, relay=4, setting="toggle")
+    call_operation(controller, "setRelay", droneId=drone, relay=400, setting="toggle")
+    call_operation(controller, "listParameters", droneId=drone, search="NOSUCH")
     items = {"item": [POINT, {"waypoint": NEAR | {"holdSeconds": 2}}]}
-    called(controller, "uploadMission", droneId=drone, items=items)
-    called(controller, "takeControl", droneId=drone)
-    called(controller, "releaseControl", droneId=drone)
+    call_operation(controller, "uploadMission", droneId=drone, items=items)
+    call_operation(controller, "takeControl", droneId=drone)
+    call_operation(controller, "releaseControl", droneId=drone)
     planning = client("PlanningService")
     visits = {"item": [NEAR]}
-    plan = called(planning, "makePlan", drones={"item": [drone]}, waypoints=visits, seconds=0.1)
+    plan = call_operation(planning, "makePlan", drones={"item": [drone]}, waypoints=visits, seconds=0.1)
     if plan is not None:
-        called(planning, "removePlan", planId=plan.id)
-    called(client("VirtualDroneService"), "addVirtualDrone", name="An errand", items={"item": [POINT]})
-    called(client("RecordService"), "listFlights", drone=wire_curl.NOBODY)
-    called(client("FleetService"), "listFleets")
-    called(zeep_client(relay, None, "1.1", CONTROLLER), "getDronesList")
+        call_operation(planning, "removePlan", planId=plan.id)
+    call_operation(
+        client("VirtualDroneService"), "addVirtualDrone", name="An errand", items={"item": [POINT]}
+    )
+    call_operation(client("RecordService"), "listFlights", drone=wire_curl.NOBODY)
+    call_operation(client("FleetService"), "listFleets")
+    call_operation(zeep_client(relay, None, "1.1", CONTROLLER), "getDronesList")
     follower = client("FollowerService")
     place = {"latitude": 47.398, "longitude": 8.5456}
-    follow = called(follower, "followRequest", drone=drone, minutes=5, name="Ann", **place)
+    follow = call_operation(follower, "followRequest", drone=drone, minutes=5, name="Ann", **place)
     if follow is not None:
-        called(follower, "getFollow", followId=follow.id)
-        called(follower, "cancelFollowRequest", followId=follow.id)
+        call_operation(follower, "getFollow", followId=follow.id)
+        call_operation(follower, "cancelFollowRequest", followId=follow.id)
     newer = client(CONTROLLER, "1.2")
-    called(newer, "getDronesList")
-    called(newer, "getDrone", droneId=drone)
-    called(newer, "arm", droneId=wire_curl.NOBODY)
+    call_operation(newer, "getDronesList")
+    call_operation(newer, "getDrone", droneId=drone)
+    call_operation(newer, "arm", droneId=wire_curl.NOBODY)
 
 
 def record(folder: Path) -> int:
-    """How many exchanges there are now."""
+    """Records all exchanges; returns how many there are."""
     with tempfile.TemporaryDirectory() as temporary:
         work = Path(temporary)
         server = Server(work / "data")
         server.start()
         address = f"udp://127.0.0.1:{server.udp_port}"
         simulator = Simulator(work / "sim.log", address, "--count", "2", *QUICK_FLIGHT)
-        relay = Relay(server.http_port)
+        relay = ReliefTrial(server.http_port)
         try:
             key, password = server.local_key(), server.first_password()
             api = Api(server.address, key)
-            wait_for("all is known", lambda: all(known(api, number) for number in (1, 2)), 150)
+            wait_for("all is known", lambda: all(ready_drone(api, number) for number in (1, 2)), 150)
             curl = Curl(relay, key)
             first, second = _by_curl(relay, curl)
             _by_zeep(relay, key, first)
-            php(relay, key, "1.1", first)
-            php(relay, key, "1.2", first)
+            run_php(relay, key, "1.1", first)
+            run_php(relay, key, "1.2", first)
             with sync_playwright() as playwright:
                 relay.client = "page"
                 use_page(relay, launch(playwright), password, api.drone(second)["name"])

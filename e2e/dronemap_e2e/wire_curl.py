@@ -1,9 +1,9 @@
-"""What a person asks of REST on a command line: of each kind of thing, well and badly."""
+"""Requests to REST as a person makes them with curl: of each kind, valid and invalid."""
 
 from .api import Json
 from .waiting import wait_for
 from .wire_clients import FAR, NEAR, NEXT_PASSWORD, PASSWORD, SQUARE, Curl
-from .wire_relay import Relay
+from .wire_relay import ReliefTrial
 
 NOBODY = "nosuchthing"
 
@@ -53,15 +53,15 @@ def command(curl: Curl, drone: str) -> None:
     curl("GET", orders + "?limit=2")
 
 
-def _put_down(curl: Curl, relay: Relay, drone: str) -> None:
+def _wait_until_landed(curl: Curl, relay: ReliefTrial, drone: str) -> None:
     """Nothing of it is kept."""
     before = len(relay.exchanges)
     wait_for("it is down", lambda: curl("GET", f"/drones/{drone}").get("armed") is False, 90)
     del relay.exchanges[before:]
 
 
-def control(curl: Curl, relay: Relay, drone: str) -> None:
-    _put_down(curl, relay, drone)
+def control(curl: Curl, relay: ReliefTrial, drone: str) -> None:
+    _wait_until_landed(curl, relay, drone)
     at = f"/drones/{drone}/control"
     curl("POST", at + "/take")
     curl("POST", at + "/heartbeat", {})
@@ -159,14 +159,24 @@ def plans_and_runs(curl: Curl, drone: str) -> None:
     curl("DELETE", f"/plans/{plan['id']}")
 
 
-def follows(curl: Curl, relay: Relay, drone: str) -> None:
-    _put_down(curl, relay, drone)
+def follows(curl: Curl, relay: ReliefTrial, drone: str) -> None:
+    _wait_until_landed(curl, relay, drone)
     here = {"latitude": 47.398, "longitude": 8.5456, "drone": drone}
     follow = curl("POST", "/follows", here | {"name": "Ann", "place": {"side": "behind", "distance": 8}})
     curl("POST", "/follows", here | {"minutes": 600})
     curl("GET", f"/follows/{follow.get('id')}")
-    said = {"id": 1, "at": "2026-01-31T12:00:00Z", "latitude": 47.398, "longitude": 8.5456, "accuracy": 5}
-    curl("POST", f"/follows/{follow.get('id')}/positions", {"sent": said["at"], "positions": [said]})
+    request_headers = {
+        "id": 1,
+        "at": "2026-01-31T12:00:00Z",
+        "latitude": 47.398,
+        "longitude": 8.5456,
+        "accuracy": 5,
+    }
+    curl(
+        "POST",
+        f"/follows/{follow.get('id')}/positions",
+        {"sent": request_headers["at"], "positions": [request_headers]},
+    )
     curl("POST", f"/follows/{follow.get('id')}/cancel")
     curl("POST", f"/follows/{follow.get('id')}/start")
 
@@ -188,9 +198,9 @@ def guess(curl: Curl) -> None:
         curl("POST", "/session", {"name": "ann", "password": "wrong"}, key=None)
 
 
-def sign_in(curl: Curl, relay: Relay) -> None:
+def sign_in(curl: Curl, relay: ReliefTrial) -> None:
     curl("POST", "/session", {"name": "ann", "password": PASSWORD}, key=None)
-    cookie = "Cookie: " + relay.exchanges[-1].answered["Set-Cookie"].split(";")[0]
+    cookie = "Cookie: " + relay.exchanges[-1].response_headers["Set-Cookie"].split(";")[0]
     own = "X-Dronemap: 1"
     curl("GET", "/session", None, cookie, key=None)
     curl("DELETE", "/session", None, cookie, key=None)

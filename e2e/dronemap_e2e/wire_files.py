@@ -24,19 +24,19 @@ def readable(text: str, content_type: str) -> str:
     return text.replace("><", ">\n<") if "xml" in content_type else text
 
 
-class Names:
-    """What is called otherwise in each server goes by a name of its own."""
+class PlaceholderNames:
+    """Replaces ids and secrets, which differ in each server, by numbered names."""
 
     def __init__(self, known: dict[str, str]) -> None:
         self._names = dict(known)
         self._counts = {"id": 0, "secret": 0}
         self._chosen = ""
 
-    def said(self, text: str) -> None:
-        """What a client has chosen itself keeps its name."""
+    def keep_request_values(self, text: str) -> None:
+        """Keeps values of a request as they are: its client has chosen them."""
         self._chosen += "\n" + text
 
-    def learn(self, text: str) -> None:
+    def name_values(self, text: str) -> None:
         for pattern in (JSON_VALUE, XML_VALUE, COOKIE):
             for found in pattern.finditer(text):
                 kind, value = ("id" if found[1] else "secret"), found[3]
@@ -44,7 +44,7 @@ class Names:
                     self._counts[kind] += 1
                     self._names[value] = f"<{kind}-{self._counts[kind]}>"
 
-    def shown(self, text: str) -> str:
+    def with_names(self, text: str) -> str:
         for value in sorted(self._names, key=len, reverse=True):
             text = re.sub(rf"(?<![\w-]){re.escape(value)}(?![\w-])", self._names[value], text)
         return FILLER.sub(lambda found: f"<filler-{len(found[0])}>", text)
@@ -55,16 +55,20 @@ def write(exchanges: list[Exchange], folder: Path, known: dict[str, str]) -> Non
     folder.mkdir(parents=True, exist_ok=True)
     for former in folder.glob("*.txt"):
         former.unlink()
-    names = Names(known)
+    names = PlaceholderNames(known)
     for number, one in enumerate(exchanges, start=1):
-        head = "".join(f"{name}: {value}\n" for name, value in one.said.items())
-        request = names.shown(f"{one.client}\n{one.method} {one.path}\n{head}\n{one.body}")
-        names.said(request)
-        told = "".join(f"{name}: {value}\n" for name, value in one.answered.items())
-        answer = f"{one.status} {one.content_type}\n{told}\n{readable(one.answer, one.content_type)}"
-        names.learn(answer)
-        words = re.sub(r"[^A-Za-z0-9]+", "-", names.shown(one.path.split("?")[0]).removeprefix("/api/v1/"))
+        head = "".join(f"{name}: {value}\n" for name, value in one.request_headers.items())
+        request = names.with_names(f"{one.client}\n{one.method} {one.path}\n{head}\n{one.body}")
+        names.keep_request_values(request)
+        response_headers = "".join(f"{name}: {value}\n" for name, value in one.response_headers.items())
+        answer = (
+            f"{one.status} {one.content_type}\n{response_headers}\n{readable(one.answer, one.content_type)}"
+        )
+        names.name_values(answer)
+        words = re.sub(
+            r"[^A-Za-z0-9]+", "-", names.with_names(one.path.split("?")[0]).removeprefix("/api/v1/")
+        )
         client = one.client.split()[0].lower()
         name = f"{number:03d}-{client}-{one.method.lower()}-{words.strip('-')[:50].strip('-')}.txt"
-        text = f"{request}\n=> {names.shown(answer)}"
+        text = f"{request}\n=> {names.with_names(answer)}"
         (folder / name).write_text(text.rstrip("\n") + "\n")

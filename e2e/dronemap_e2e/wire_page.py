@@ -7,13 +7,13 @@ from playwright.sync_api import Browser, Page, expect
 from .screen import open_page
 from .station import Pointer, Station
 from .wire_clients import NEXT_PASSWORD
-from .wire_relay import Relay
+from .wire_relay import ReliefTrial
 
 SETTLED_MILLISECONDS = 1500
 PLACES = ((-110, -120), (60, -150), (130, -110))
 
 
-def use_page(relay: Relay, browser: Browser, password: str, drone: str) -> None:
+def use_page(relay: ReliefTrial, browser: Browser, password: str, drone: str) -> None:
     page = open_page(browser)
     station = Station(page, Pointer())
     station.sign_in(relay.address, "admin", password, NEXT_PASSWORD)
@@ -46,7 +46,7 @@ def _fly(station: Station) -> None:
     page.wait_for_timeout(SETTLED_MILLISECONDS)
 
 
-def _tap(page: Page) -> None:
+def _click_places(page: Page) -> None:
     for number, (east, south) in enumerate(PLACES, start=1):
         box = page.get_by_role("application", name="Map").bounding_box()
         assert box
@@ -57,7 +57,7 @@ def _tap(page: Page) -> None:
 def _plan(station: Station) -> None:
     page = station.page
     page.get_by_role("button").filter(has_text="Plan for several drones").click()
-    _tap(page)
+    _click_places(page)
     page.get_by_role("button").filter(has_text="More wishes").click()
     page.get_by_label("Search for (s)").fill("1")
     station.press("Select all")
@@ -69,7 +69,7 @@ def _plan(station: Station) -> None:
 
 def _manage(station: Station) -> None:
     page = station.page
-    station.hands.press(page, page.get_by_role("button", name="Account of admin"))
+    station.input_method.press(page, page.get_by_role("button", name="Account of admin"))
     station.press("Administration")
     page.wait_for_timeout(SETTLED_MILLISECONDS)
     invitations = page.get_by_role("region", name="Invitations")

@@ -1,4 +1,4 @@
-"""A relay before a server that keeps what clients of REST and SOAP say, and what they are answered."""
+"""An HTTP relay before a server that records requests and answers of REST and SOAP."""
 
 import http.client
 import threading
@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
 # Of a request these make a difference to what is answered; of an answer, to who reads it.
-SAID = ("Accept", "Authorization", "Content-Type", "Cookie", "SOAPAction", "X-Dronemap")
-ANSWERED = ("Allow", "Location", "Retry-After", "Set-Cookie", "WWW-Authenticate")
+REQUEST_HEADERS = ("Accept", "Authorization", "Content-Type", "Cookie", "SOAPAction", "X-Dronemap")
+RESPONSE_HEADERS = ("Allow", "Location", "Retry-After", "Set-Cookie", "WWW-Authenticate")
 # Pages, descriptions that the tree has in full, and records whose order is a matter of luck.
 LEFT_OUT = ("?wsdl", "?WSDL", "?xsd", "/api/docs", "/api/openapi", "/api/v1/audit")
 
@@ -19,16 +19,16 @@ class Exchange:
     client: str
     method: str
     path: str
-    said: dict[str, str]
+    request_headers: dict[str, str]
     body: str
     status: int
     content_type: str
-    answered: dict[str, str]
+    response_headers: dict[str, str]
     answer: str
 
 
-class Relay:
-    """Its address stands for the server's; `client` is who speaks from now on."""
+class ReliefTrial:
+    """A recording HTTP relay; `client` names the client of the next requests."""
 
     def __init__(self, port: int) -> None:
         self.client = "nobody"
@@ -72,17 +72,21 @@ class Relay:
         content = answer.read()
         server.close()
         if number is not None:
-            said = {name: client.headers[name] for name in SAID if name in client.headers}
-            told = {name: answer.headers[name] for name in ANSWERED if name in answer.headers}
+            request_headers = {
+                name: client.headers[name] for name in REQUEST_HEADERS if name in client.headers
+            }
+            response_headers = {
+                name: answer.headers[name] for name in RESPONSE_HEADERS if name in answer.headers
+            }
             self.exchanges[number] = Exchange(
                 self.exchanges[number].client,
                 client.command,
                 client.path,
-                said,
+                request_headers,
                 body.decode(),
                 answer.status,
                 answer.headers.get("Content-Type", ""),
-                told,
+                response_headers,
                 content.decode(errors="replace"),
             )
         client.send_response(answer.status)
@@ -99,12 +103,12 @@ class Relay:
         if not path.startswith(("/api/", "/services/")) or any(part in path for part in LEFT_OUT):
             return None
         with self._lock:
-            if self.client == "page" and not self._is_news(method, path):
+            if self.client == "page" and not self._is_new(method, path):
                 return None
             self.exchanges.append(Exchange(self.client, method, path, {}, "", 0, "", {}, ""))
             return len(self.exchanges) - 1
 
-    def _is_news(self, method: str, path: str) -> bool:
+    def _is_new(self, method: str, path: str) -> bool:
         """A page asks again and again: once between two things that a person does is enough."""
         # What rules and runs ordered meanwhile is among the orders of a drone, as luck has it.
         if (method, path) in self._asked or (method == "GET" and path.split("?")[0].endswith("/commands")):

@@ -17,7 +17,7 @@ from .server import Server
 ITEMS = [{"type": "waypoint", "latitude": 47.4, "longitude": 8.5, "altitude": 20}]
 
 
-class Refused(AssertionError):
+class RequestRefused(AssertionError):
     """The server answered, and did not do what it was asked for."""
 
 
@@ -26,7 +26,7 @@ class Writer(ABC):
 
     def __init__(self) -> None:
         self.acknowledged = 0
-        self.refusal: Refused | None = None
+        self.refusal: RequestRefused | None = None
         self._name = secrets.token_hex(4)
         self._numbers = itertools.count(1)
 
@@ -39,7 +39,7 @@ class Writer(ABC):
                 self.acknowledged += 1
         except requests.RequestException:
             return  # the server died
-        except Refused as refusal:
+        except RequestRefused as refusal:
             self.refusal = refusal
 
     @abstractmethod
@@ -48,18 +48,18 @@ class Writer(ABC):
 
     @abstractmethod
     def check(self, api: Api) -> None:
-        """AssertionError when something that was acknowledged is not as it was said."""
+        """AssertionError when something that was acknowledged is not as it was sent."""
 
 
-def said(api: Api, method: str, path: str, body: Json | None = None) -> Json:
+def request(api: Api, method: str, path: str, body: Json | None = None) -> Json:
     answer = api.call(method, path, body)
     if not answer.ok:
-        raise Refused(f"{method} {path}: {answer.status_code} {answer.text}")
-    told: Json = answer.json() if answer.content else {}
-    return told
+        raise RequestRefused(f"{method} {path}: {answer.status_code} {answer.text}")
+    body_of_answer: Json = answer.json() if answer.content else {}
+    return body_of_answer
 
 
-class Adds(Writer):
+class MissionWriter(Writer):
     """Missions, one after the other."""
 
     def __init__(self) -> None:
@@ -67,7 +67,7 @@ class Adds(Writer):
         self._names: set[str] = set()
 
     def _write(self, api: Api, name: str) -> None:
-        said(api, "POST", "/missions", {"name": name, "items": ITEMS})
+        request(api, "POST", "/missions", {"name": name, "items": ITEMS})
         self._names.add(name)
 
     def check(self, api: Api) -> None:
@@ -75,7 +75,7 @@ class Adds(Writer):
         assert not missing, f"{len(missing)} missions are lost, as {min(missing)}"
 
 
-class Changes(Writer):
+class GroupWriter(Writer):
     """One group, which gets a new name each time: the last one, or one that was under way, is its name."""
 
     def __init__(self) -> None:
@@ -86,10 +86,10 @@ class Changes(Writer):
 
     def _write(self, api: Api, name: str) -> None:
         if self._id is None:
-            self._id = str(said(api, "POST", "/groups", {"name": name, "members": []})["id"])
+            self._id = str(request(api, "POST", "/groups", {"name": name, "members": []})["id"])
         else:
             self._under_way = name
-            said(api, "PUT", f"/groups/{self._id}", {"name": name, "members": []})
+            request(api, "PUT", f"/groups/{self._id}", {"name": name, "members": []})
         self._last, self._under_way = name, None
 
     def check(self, api: Api) -> None:
@@ -100,7 +100,7 @@ class Changes(Writer):
         self._last, self._under_way = name, None
 
 
-class AddsAndRemoves(Writer):
+class ShortLivedWriter(Writer):
     """Things that go as soon as they are there: none that is removed comes back."""
 
     def __init__(self, path: str, listed: str, new: str) -> None:
@@ -113,11 +113,11 @@ class AddsAndRemoves(Writer):
         self._gone: set[str] = set()
 
     def _write(self, api: Api, name: str) -> None:
-        made = str(said(api, "POST", self._path, self._body(name))["id"])
+        made = str(request(api, "POST", self._path, self._body(name))["id"])
         self._there.add(made)
         if len(self._there) > 3:
             removed = self._there.pop()
-            said(api, "DELETE", f"{self._path}/{removed}")
+            request(api, "DELETE", f"{self._path}/{removed}")
             self._gone.add(removed)
 
     def _body(self, name: str) -> Json:
@@ -129,7 +129,7 @@ class AddsAndRemoves(Writer):
         assert not self._gone & there, f"of {self._path} came back: {self._gone & there}"
 
 
-class Zones(AddsAndRemoves):
+class ZoneWriter(ShortLivedWriter):
     """Far from everybody."""
 
     def __init__(self) -> None:
@@ -140,6 +140,11 @@ class Zones(AddsAndRemoves):
         return {"type": "Feature", "geometry": place, "properties": {"name": name, "radius": 50}}
 
 
-def of_every_kind() -> list[Writer]:
-    """Who adds, who changes, and two who remove: one in what is of all, one in what is a user's own."""
-    return [Adds(), Changes(), Zones(), AddsAndRemoves("/access-keys", "accessKeys", "label")]
+def one_of_each_kind() -> list[Writer]:
+    """A writer that adds, one that changes, and two that remove: of what is shared, and of a user's own."""
+    return [
+        MissionWriter(),
+        GroupWriter(),
+        ZoneWriter(),
+        ShortLivedWriter("/access-keys", "accessKeys", "label"),
+    ]

@@ -10,10 +10,10 @@ from playwright.sync_api import Browser, Playwright, sync_playwright
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.copter import Copter
-from dronemap_e2e.ground import Attach, Ground, User
+from dronemap_e2e.ground_station import Attach, GroundStation, User
+from dronemap_e2e.message_recorder import MessageRecorder, VehicleMessages
 from dronemap_e2e.server import Server
 from dronemap_e2e.station import launch
-from dronemap_e2e.tap import Tap, Wire
 from dronemap_e2e.vehicles import Vehicles
 from dronemap_e2e.waiting import wait_for
 
@@ -27,7 +27,7 @@ LONGEST = (
     "test_accounts_in_browser",
     "test_flights_and_failures",
     "test_crash",
-    "test_moments",
+    "test_control_loss",
     "test_flight_by_program",
     "test_plans_in_browser",
     "test_control",
@@ -54,8 +54,8 @@ REASONS = ("End to end because ", "Of the judge alone: ")
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
-        said = getattr(item, "function", None).__doc__ or ""
-        if not any(reason in said for reason in REASONS) and item.get_closest_marker("soak") is None:
+        docstring = getattr(item, "function", None).__doc__ or ""
+        if not any(reason in docstring for reason in REASONS) and item.get_closest_marker("soak") is None:
             raise pytest.UsageError(
                 f"{item.nodeid} says not why it is an end-to-end test: say in its docstring "
                 f'"{REASONS[0]}…", or fly it in the laboratory (docs/how-to-add/flight.md)'
@@ -79,18 +79,18 @@ def api(server: Server) -> Api:
 
 
 @pytest.fixture(scope="session")
-def fallen(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
-    """A server that the tests share which break one; `killable` makes sure that it runs."""
+def restartable_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    """A server that the tests share which break one; `killable_server` makes sure that it runs."""
     server = Server(tmp_path_factory.mktemp("fallen") / "data")
     yield server
     server.stop()
 
 
 @pytest.fixture
-def killable(fallen: Server) -> Server:
+def killable_server(restartable_server: Server) -> Server:
     """One that the test may kill, stop and start again; it knows the drones and users of other such tests."""
-    fallen.start_unless_it_runs()
-    return fallen
+    restartable_server.start_unless_it_runs()
+    return restartable_server
 
 
 @pytest.fixture
@@ -103,9 +103,9 @@ def own_server(tmp_path: Path) -> Iterator[Server]:
 
 
 @pytest.fixture
-def tap(server: Server) -> Iterator[Tap]:
-    """A tap before the shared server."""
-    opened = Tap(server.udp_port)
+def recorder(server: Server) -> Iterator[MessageRecorder]:
+    """A message recorder before the shared server."""
+    opened = MessageRecorder(server.udp_port)
     yield opened
     opened.close()
 
@@ -119,15 +119,15 @@ def vehicles(server: Server, tmp_path_factory: pytest.TempPathFactory) -> Iterat
 
 @pytest.fixture
 def system_id(vehicles: Vehicles) -> Iterator[int]:
-    """Of a copter that only this test has."""
-    taken = vehicles.take()
+    """System id of a copter that only this test has."""
+    taken = vehicles.wake_next()
     yield taken
-    vehicles.leave(taken)
+    vehicles.silence(taken)
 
 
 @pytest.fixture
-def wire(vehicles: Vehicles, system_id: int) -> Wire:
-    """What the test's copter says and is told."""
+def wire(vehicles: Vehicles, system_id: int) -> VehicleMessages:
+    """Messages from and to the test's copter."""
     return vehicles.wire(system_id)
 
 
@@ -165,12 +165,12 @@ def copters(server: Server, api: Api, tmp_path_factory: pytest.TempPathFactory) 
 @pytest.fixture
 def attach(server: Server) -> Iterator[Attach]:
     """Attaches ground stations to the outlet, until the test is over."""
-    attached: list[Ground] = []
+    attached: list[GroundStation] = []
 
-    def make(user: User | None, tcp: bool = True, **options: Any) -> Ground:
+    def make(user: User | None, tcp: bool = True, **options: Any) -> GroundStation:
         port = server.outlet_tcp_port if tcp else server.outlet_udp_port
         address = f"{'tcp' if tcp else 'udpout'}:127.0.0.1:{port}"
-        attached.append(Ground(address, user.passphrase if user else None, **options))
+        attached.append(GroundStation(address, user.passphrase if user else None, **options))
         return attached[-1]
 
     yield make

@@ -18,27 +18,27 @@ from dronemap_e2e.waiting import wait_for
 PATIENCE = 30_000
 
 
-class People:
-    """Pages that share nothing, as those of several people: by day at a desk, by night on a phone."""
+class UserPages:
+    """Pages of several users, which share nothing: light at a desk, dark on a phone."""
 
     def __init__(self, browser: Browser) -> None:
         self._browser = browser
         self.stations: list[Station] = []
 
-    def at_desk(self) -> Station:
-        return self._sits(Station(open_page(self._browser, DESK), Pointer()))
+    def on_desk(self) -> Station:
+        return self._add(Station(open_page(self._browser, DESK), Pointer()))
 
     def on_phone(self) -> Station:
-        return self._sits(Station(open_page(self._browser, PHONE, touch=True, dark=True), Touch()))
+        return self._add(Station(open_page(self._browser, PHONE, touch=True, dark=True), Touch()))
 
-    def _sits(self, station: Station) -> Station:
+    def _add(self, station: Station) -> Station:
         self.stations.append(station)
         return station
 
 
 @pytest.fixture
-def people(browser: Browser) -> Iterator[People]:
-    together = People(browser)
+def pages(browser: Browser) -> Iterator[UserPages]:
+    together = UserPages(browser)
     yield together
     for station in together.stations:
         station.page.context.close()
@@ -62,7 +62,7 @@ def administrator(server: Server, api: Api, station: Station) -> Station:
     answer = api.call("POST", "/users", {"name": name, "password": password, "role": "administrator"})
     assert answer.status_code == 201, answer.text
     station.sign_in(server.address, name, password, secrets.token_hex(10))
-    station.hands.press(station.page, station.page.get_by_role("button", name=f"Account of {name}"))
+    station.input_method.press(station.page, station.page.get_by_role("button", name=f"Account of {name}"))
     station.press("Administration")
     return station
 
@@ -76,17 +76,15 @@ def row(station: Station, user: str) -> Locator:
 
 
 def press_in(station: Station, where: Locator, label: str | re.Pattern[str]) -> None:
-    station.hands.press(station.page, where.get_by_role("button", name=label))
+    station.input_method.press(station.page, where.get_by_role("button", name=label))
 
 
-def test_what_a_thumb_aims_at_stays_where_it_is_while_the_line_comes_up(
-    server: Server, api: Api, people: People
-) -> None:
+def test_buttons_do_not_move_when_connection_line_appears(server: Server, api: Api, pages: UserPages) -> None:
     """End to end because only a browser lays a page out."""
     name, password = new_name("viewer"), secrets.token_hex(10)
     made = api.call("POST", "/users", {"name": name, "password": password, "role": "viewer"})
     assert made.status_code == 201, made.text
-    station = people.on_phone()
+    station = pages.on_phone()
     waiting: list[WebSocketRoute] = []
     station.page.route_web_socket(re.compile("^wss?:"), lambda socket: waiting.append(socket))
     station.sign_in(server.address, name, password, secrets.token_hex(10))
@@ -102,30 +100,30 @@ def test_what_a_thumb_aims_at_stays_where_it_is_while_the_line_comes_up(
 
 def reload_users(station: Station) -> None:
     press_in(station, station.page.get_by_role("main"), "Back to the map")
-    station.hands.press(
+    station.input_method.press(
         station.page, station.page.get_by_role("button", name=re.compile("^Account of chief-"))
     )
     station.press("Administration")
 
 
-def test_an_invited_viewer_watches_until_disabled(
-    server: Server, api: Api, copter: Json, people: People
+def test_invited_viewer_sees_drones_until_disabled(
+    server: Server, api: Api, copter: Json, pages: UserPages
 ) -> None:
     """End to end because two people have pages of their own, and one of them loses what it shows."""
-    chief = administrator(server, api, people.at_desk())
+    chief = administrator(server, api, pages.on_desk())
     invitations = card(chief, "Invitations")
     invitations.get_by_label("Whom you invite").fill("Ann of the fire brigade")
     invitations.get_by_label("Role of the invited").select_option("viewer")
     make = invitations.get_by_role("button", name="Make a link")
     also_at(chief.page, PHONE, make)
-    chief.hands.press(chief.page, make)
+    chief.input_method.press(chief.page, make)
     expect(invitations.get_by_role("status")).to_contain_text("shown this once")
     picture(chief.page, "accounts-1-invited")
     link = invitations.get_by_role("status").locator("code").inner_text()
     assert link.startswith(server.address + "/#invitation=")
 
     ann, password = new_name("ann"), secrets.token_hex(10)
-    guest = people.on_phone()
+    guest = pages.on_phone()
     guest.page.goto(link)
     expect(guest.page.get_by_role("heading", name="You are invited")).to_be_visible()
     guest.page.get_by_label("User name").fill(ann)
@@ -139,7 +137,7 @@ def test_an_invited_viewer_watches_until_disabled(
     expect(guest.page.get_by_role("button", name=f"Rename {copter['name']}")).to_have_count(0)
     picture(guest.page, "accounts-3-viewer")
 
-    again = people.on_phone()
+    again = pages.on_phone()
     again.page.goto(link)
     again.page.get_by_label("User name").fill(new_name("bob"))
     again.page.get_by_label("Password", exact=True).fill(password)
@@ -160,12 +158,12 @@ def test_an_invited_viewer_watches_until_disabled(
     guest.shows("Your account has been disabled; ask an administrator.")
 
 
-def test_who_asks_for_an_account_waits_is_let_in_and_gets_another_role_and_password(
-    server: Server, api: Api, copter: Json, people: People
+def test_requested_account_is_approved_and_gets_role_and_password(
+    server: Server, api: Api, copter: Json, pages: UserPages
 ) -> None:
     """End to end because the pages of two people change with what one does on the other."""
     carol, password = new_name("carol"), secrets.token_hex(10)
-    guest = people.at_desk()
+    guest = pages.on_desk()
     guest.page.goto(server.address)
     guest.press("No account yet? Ask for one")
     guest.page.get_by_label("User name").fill(carol)
@@ -181,7 +179,7 @@ def test_who_asks_for_an_account_waits_is_let_in_and_gets_another_role_and_passw
     guest.press("Sign in")
     guest.shows("Your account waits until an administrator lets you in")
 
-    chief = administrator(server, api, people.on_phone())
+    chief = administrator(server, api, pages.on_phone())
     expect(row(chief, carol)).to_contain_text("waits to be let in")
     picture(chief.page, "accounts-8-users")
     press_in(chief, row(chief, carol), re.compile("^Let in"))
@@ -215,11 +213,11 @@ def test_who_asks_for_an_account_waits_is_let_in_and_gets_another_role_and_passw
     picture(guest.page, "accounts-10-reporter")
 
 
-def test_a_person_makes_a_key_for_one_drone_renews_and_revokes_it(
-    server: Server, api: Api, copter: Json, people: People
+def test_access_key_for_one_drone_is_created_renewed_and_revoked(
+    server: Server, api: Api, copter: Json, pages: UserPages
 ) -> None:
     """End to end because a key that a page shows once is used by a program."""
-    station = administrator(server, api, people.on_phone())
+    station = administrator(server, api, pages.on_phone())
     keys = card(station, "Access keys")
     keys.get_by_label("What the key is for").fill("survey script")
     keys.get_by_label("What it may do").select_option("only look")
@@ -239,12 +237,12 @@ def test_a_person_makes_a_key_for_one_drone_renews_and_revokes_it(
     expect(line).to_contain_text(copter["name"])
     changes = [line.get_by_role("button", name=re.compile(name)) for name in ("^Renew", "^Revoke")]
     also_at(station.page, DESK, *changes)
-    station.hands.hold(station.page, line.get_by_role("button", name=re.compile("^Renew")))
+    station.input_method.hold(station.page, line.get_by_role("button", name=re.compile("^Renew")))
     expect(made).not_to_have_text(program.key or "", timeout=PATIENCE)
     assert program.call("GET", "/drones").status_code == 401
     renewed = Api(server.address, made.inner_text())
     assert renewed.call("GET", "/drones").status_code == 200
 
-    station.hands.hold(station.page, line.get_by_role("button", name=re.compile("^Revoke")))
+    station.input_method.hold(station.page, line.get_by_role("button", name=re.compile("^Revoke")))
     expect(line).to_have_count(0, timeout=PATIENCE)
     assert renewed.call("GET", "/drones").status_code == 401

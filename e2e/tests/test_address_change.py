@@ -13,9 +13,9 @@ import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.carriers import Bridge, Dtls
+from dronemap_e2e.frame_links import Bridge, DtlsLink
 from dronemap_e2e.nat import Nat
-from dronemap_e2e.peer import OBEDIENT, Handler, Peer, with_hardware
+from dronemap_e2e.peer import STANDARD_HANDLERS, Handler, Peer, reporting_hardware
 from dronemap_e2e.server import Server
 from dronemap_e2e.signing_peer import SigningPeer
 from dronemap_e2e.waiting import rounds, wait_for
@@ -36,8 +36,8 @@ QUESTIONS = {mavlink.MAV_CMD_REQUEST_MESSAGE, mavlink.MAV_CMD_REQUEST_AUTOPILOT_
 
 
 @dataclass
-class Traveller:
-    """A vehicle on the move, its hardware id, and the drone that the server made of it."""
+class MovingVehicle:
+    """A vehicle whose address changes, its hardware id, and its drone at the server."""
 
     peer: Peer
     uid: int
@@ -55,10 +55,10 @@ def new_uid() -> int:
 
 
 def handlers(uid: int) -> dict[str, Handler]:
-    return {**OBEDIENT, "COMMAND_LONG": with_hardware(uid)}
+    return {**STANDARD_HANDLERS, "COMMAND_LONG": reporting_hardware(uid)}
 
 
-def the_drone(api: Api, system_id: int) -> Json:
+def live_drone(api: Api, system_id: int) -> Json:
     def find() -> Json | None:
         found = [d for d in api.drones() if d["link"]["systemId"] == system_id]
         return found[0] if found and found[0]["link"]["state"] == "live" else None
@@ -66,9 +66,9 @@ def the_drone(api: Api, system_id: int) -> Json:
     return wait_for("the vehicle is listed", find, 30)
 
 
-def secured(api: Api, peer: SigningPeer, policy: str) -> str:
+def require_signing(api: Api, peer: SigningPeer, policy: str) -> str:
     """The drone of a vehicle that signs from now on."""
-    drone: str = the_drone(api, peer.link.srcSystem)["id"]
+    drone: str = live_drone(api, peer.link.srcSystem)["id"]
     assert api.call("POST", f"/drones/{drone}/link-key", {}).status_code == 201
     answer = api.call("POST", f"/drones/{drone}/link-key/install")
     assert answer.status_code == 200 and answer.json()["key"]["inUse"], answer.text
@@ -89,14 +89,14 @@ def dtls_endpoint(api: Api) -> Iterator[int]:
 
 
 class Forger:
-    """Says that it is that vehicle: the same system id, the same hardware, at another place."""
+    """Imitates a vehicle: the same system id, the same hardware, at another place."""
 
-    def __init__(self, server: Server, victim: Traveller) -> None:
-        self.peer = Peer(server.udp_port, system_id=victim.system_id, handlers=handlers(victim.uid))
-        self._uid = victim.uid
-        self._left: list[Peer.Forwarding] = []
+    def __init__(self, server: Server, imitated: MovingVehicle) -> None:
+        self.peer = Peer(server.udp_port, system_id=imitated.system_id, handlers=handlers(imitated.uid))
+        self._uid = imitated.uid
+        self._left: list[Peer.FormerAddress] = []
 
-    def lie(self) -> None:
+    def send_false_messages(self) -> None:
         none = bytes(8)
         self.peer.link.autopilot_version_send(0, 0, 0, 0, 0, none, none, none, 0, 0, self._uid)
         self.peer.link.global_position_int_send(0, ELSEWHERE, ELSEWHERE, 498000, 10000, 0, 0, 0, 0)
@@ -110,7 +110,7 @@ class Forger:
             place.close()
 
 
-class Journey:
+class AddressChanges:
     """Signed and DTLS vehicles behind NATs that forget fast, unsigned ones behind a slow one."""
 
     def __init__(self, server: Server, api: Api, stack: ExitStack) -> None:
@@ -120,51 +120,51 @@ class Journey:
         self.fast = self._nat(server.udp_port)
         self.fast_dtls = self._nat(stack.enter_context(dtls_endpoint(api)))
         self.slow = self._nat(server.udp_port)
-        self.signed = [self._signing(policy) for policy in ("required", "optional")]
-        self.encrypted = self._by_dtls()
-        self.unproved = [self._unproved() for _ in range(2)]
+        self.signed = [self._signing_vehicle(policy) for policy in ("required", "optional")]
+        self.encrypted = self._dtls_vehicle()
+        self.unsigned = [self._unsigned_vehicle() for _ in range(2)]
         # Nobody commands this one, which changes its address all the same.
-        self.bystander = self._unproved()
-        self.all = [*self.signed, self.encrypted, *self.unproved, self.bystander]
+        self.bystander = self._unsigned_vehicle()
+        self.all = [*self.signed, self.encrypted, *self.unsigned, self.bystander]
 
     def _nat(self, server_port: int) -> Nat:
         nat = Nat(server_port, seconds=3600)
         self._stack.callback(nat.close)
         return nat
 
-    def _signing(self, policy: str) -> Traveller:
+    def _signing_vehicle(self, policy: str) -> MovingVehicle:
         uid = new_uid()
         peer = SigningPeer(self.fast.port, next(SYSTEM_IDS), handlers=handlers(uid))
-        return self._known(peer, uid, secured(self._api, self._closed(peer), policy))
+        return self._as_vehicle(peer, uid, require_signing(self._api, self._closed_at_end(peer), policy))
 
-    def _unproved(self) -> Traveller:
+    def _unsigned_vehicle(self) -> MovingVehicle:
         uid = new_uid()
-        peer = self._closed(Peer(self.slow.port, system_id=next(SYSTEM_IDS), handlers=handlers(uid)))
-        return self._known(peer, uid, the_drone(self._api, peer.link.srcSystem)["id"])
+        peer = self._closed_at_end(Peer(self.slow.port, system_id=next(SYSTEM_IDS), handlers=handlers(uid)))
+        return self._as_vehicle(peer, uid, live_drone(self._api, peer.link.srcSystem)["id"])
 
-    def _by_dtls(self) -> Traveller:
+    def _dtls_vehicle(self) -> MovingVehicle:
         key = self._api.call("POST", "/dtls-keys", {"label": "travelling copter"}).json()
-        bridge = Bridge(Dtls(self.fast_dtls.port, key["identity"], key["secret"]))
+        bridge = Bridge(DtlsLink(self.fast_dtls.port, key["identity"], key["secret"]))
         self._stack.callback(bridge.close)
         uid = new_uid()
-        peer = self._closed(Peer(bridge.port, system_id=next(SYSTEM_IDS), handlers=handlers(uid)))
-        return self._known(peer, uid, the_drone(self._api, peer.link.srcSystem)["id"])
+        peer = self._closed_at_end(Peer(bridge.port, system_id=next(SYSTEM_IDS), handlers=handlers(uid)))
+        return self._as_vehicle(peer, uid, live_drone(self._api, peer.link.srcSystem)["id"])
 
-    def _closed(self, peer: P) -> P:
+    def _closed_at_end(self, peer: P) -> P:
         """Closes it when the journey is over."""
         self._stack.callback(peer.close)
         return peer
 
-    def _known(self, peer: Peer, uid: int, drone: str) -> Traveller:
+    def _as_vehicle(self, peer: Peer, uid: int, drone: str) -> MovingVehicle:
         wait_for("its hardware is known", lambda: self._api.drone(drone)["identity"]["hardwareId"], 30)
-        return Traveller(peer, uid, drone)
+        return MovingVehicle(peer, uid, drone)
 
-    def begin(self) -> None:
+    def start_changes(self) -> None:
         self.fast.seconds = self.fast_dtls.seconds = 2
         self.slow.seconds = 10
 
-    def command(self, one: Traveller, until: float) -> None:
-        """Arms and disarms it again and again; each time it does what it was told."""
+    def command(self, one: MovingVehicle, until: float) -> None:
+        """Arms and disarms it again and again; asserts that it does so each time."""
         api = Api(self._server.address, self._server.local_key())
         arm = True
         for _ in rounds(until, 0.2):
@@ -188,7 +188,7 @@ class Journey:
 
 
 def orders(nat: Nat, latest: float) -> list[str]:
-    """What tells a vehicle to do something and came to an address so long after it was left."""
+    """Orders that came to an address so long after it was left."""
     parser = mavlink.MAVLink(None)
     parser.robust_parsing = True
     found = []
@@ -201,59 +201,68 @@ def orders(nat: Nat, latest: float) -> list[str]:
     return found
 
 
-def travel(server: Server, api: Api, seconds: float) -> None:
+def change_addresses(server: Server, api: Api, seconds: float) -> None:
     with ExitStack() as stack:
-        journey = Journey(server, api, stack)
+        changes_of_address = AddressChanges(server, api, stack)
         # The forger of an unproved vehicle stays where it is; against one that moves too, only proof helps.
-        still = Forger(server, journey.unproved[0])
+        still = Forger(server, changes_of_address.unsigned[0])
         stack.callback(still.close)
-        moving = [Forger(server, victim) for victim in (journey.signed[0], journey.encrypted)]
+        moving = [
+            Forger(server, imitated)
+            for imitated in (changes_of_address.signed[0], changes_of_address.encrypted)
+        ]
         for forger in moving:
             stack.callback(forger.close)
-        journey.begin()
+        changes_of_address.start_changes()
         until = time.monotonic() + seconds
         stop = threading.Event()
 
-        def forge() -> None:
+        def send_forged() -> None:
             next_move = time.monotonic() + 1.7
             while not stop.is_set():
                 for forger in (still, *moving):
-                    forger.lie()
+                    forger.send_false_messages()
                 if time.monotonic() > next_move:
                     next_move += 1.7
                     for forger in moving:
                         forger.move()
                 stop.wait(0.2)
 
-        commanded = [one for one in journey.all if one is not journey.bystander]
+        commanded = [one for one in changes_of_address.all if one is not changes_of_address.bystander]
         with ThreadPoolExecutor(len(commanded) + 2) as pool:
-            lies = pool.submit(forge)
-            work = [pool.submit(journey.command, one, until) for one in commanded]
+            forged = pool.submit(send_forged)
+            work = [pool.submit(changes_of_address.command, one, until) for one in commanded]
             try:
-                journey.watch(until)
+                changes_of_address.watch(until)
                 for job in work:
                     job.result()
             finally:
                 stop.set()
-            lies.result()
-        told(journey, [still, *moving])
+            forged.result()
+        check_and_print(changes_of_address, [still, *moving])
 
 
-def told(journey: Journey, forgers: list[Forger]) -> None:
-    changes = {"fast": journey.fast.changes, "dtls": journey.fast_dtls.changes, "slow": journey.slow.changes}
-    print("changes of address:", changes, "commands:", [one.commanded for one in journey.all])
-    assert changes["fast"] >= 2 * len(journey.signed) and changes["slow"] >= 2, changes
-    assert orders(journey.fast, LATEST_WITH_PROOF) == []
-    assert orders(journey.slow, LATEST_WITHOUT_PROOF) == []
-    assert [(when, data[:16]) for when, data in journey.fast_dtls.late if when > LATEST_WITH_PROOF] == []
-    assert journey.bystander.peer.commands(ARM) == []
+def check_and_print(changes_of_address: AddressChanges, forgers: list[Forger]) -> None:
+    changes = {
+        "fast": changes_of_address.fast.changes,
+        "dtls": changes_of_address.fast_dtls.changes,
+        "slow": changes_of_address.slow.changes,
+    }
+    print("changes of address:", changes, "commands:", [one.commanded for one in changes_of_address.all])
+    assert changes["fast"] >= 2 * len(changes_of_address.signed) and changes["slow"] >= 2, changes
+    assert orders(changes_of_address.fast, LATEST_WITH_PROOF) == []
+    assert orders(changes_of_address.slow, LATEST_WITHOUT_PROOF) == []
+    assert [
+        (when, data[:16]) for when, data in changes_of_address.fast_dtls.late if when > LATEST_WITH_PROOF
+    ] == []
+    assert changes_of_address.bystander.peer.commands(ARM) == []
     for forger in forgers:
         assert forger.peer.commands(ARM) == []
-    for one in journey.all:
+    for one in changes_of_address.all:
         own = [m for m in one.peer.commands(ARM) if m.target_system != one.system_id]
-        assert own == [] and (one.commanded >= 3 or one is journey.bystander)
+        assert own == [] and (one.commanded >= 3 or one is changes_of_address.bystander)
 
 
 @pytest.mark.soak
-def test_vehicles_keep_their_drones_for_two_minutes(server: Server, api: Api) -> None:
-    travel(server, api, seconds=120)
+def test_vehicles_keep_their_drones_while_addresses_change(server: Server, api: Api) -> None:
+    change_addresses(server, api, seconds=120)

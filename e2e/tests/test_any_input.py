@@ -1,4 +1,4 @@
-"""What nobody would think of saying, made from the description of REST by another maker's program."""
+"""Sends unexpected input to REST, generated from its description by another maker's program."""
 
 import secrets
 import shutil
@@ -28,7 +28,7 @@ def key_of(api: Api, role: str) -> str:
 
 @pytest.mark.soak
 @pytest.mark.parametrize("role", ["viewer", "operator", "administrator"])
-def test_every_answer_is_one_that_is_described(
+def test_every_answer_matches_the_rest_description(
     role: str, server: Server, api: Api, copter: Json, tmp_path: Path
 ) -> None:
     """End to end because a program of another maker reads the description and calls the server."""

@@ -1,4 +1,4 @@
-"""What was done by whom: through every face, refused too; searched, taken along, vouched for."""
+"""Audit records of calls through every face, refused ones too; search, export and receipts."""
 
 import csv
 import io
@@ -13,7 +13,7 @@ from dronemap_e2e.soap import soap
 from dronemap_e2e.waiting import wait_for
 
 
-def test_every_face_leaves_one_record_that_a_receipt_vouches_for(
+def test_every_interface_leaves_one_audit_record_covered_by_receipt(
     server: Server, api: Api, copter: Json
 ) -> None:
     """End to end because zeep and a WebSocket library call as others do, and PostgreSQL keeps the chain."""
@@ -24,14 +24,14 @@ def test_every_face_leaves_one_record_that_a_receipt_vouches_for(
     assert refused.status_code == 403
     assert Api(server.address, operator).do(drone, type="readHome")
     assert soap(server, operator).takePicture(droneId=drone).outcome.result
-    _say(server, operator, {"type": "command", "drone": drone, "command": {"type": "readParameters"}})
+    _send(server, operator, {"type": "command", "drone": drone, "command": {"type": "readParameters"}})
     given_back = Api(server.address, operator).call("DELETE", f"/drones/{drone}/control")
     assert given_back.status_code in (200, 409), given_back.text
 
     records = wait_for("all have ended", lambda: _ended(api, drone), 60)
 
-    told = [(one["face"], one["operation"], one["outcome"] == "refused") for one in reversed(records)]
-    assert told[:4] == [
+    recorded = [(one["face"], one["operation"], one["outcome"] == "refused") for one in reversed(records)]
+    assert recorded[:4] == [
         ("rest", "POST /api/v1/drones/{id}/commands", True),
         ("rest", "readHome", False),
         ("soap", "takePicture", False),
@@ -39,15 +39,15 @@ def test_every_face_leaves_one_record_that_a_receipt_vouches_for(
     ]
     assert all(one["by"] == "admin" and one["accessKey"] for one in records if one["face"] != "rule")
     assert all(one["latencyMillis"] is not None for one in records if one["command"])
-    _check_that_they_can_be_taken_along(api, drone, len(records))
-    _check_the_receipt(api)
+    _check_export(api, drone, len(records))
+    _check_receipt(api)
     everything = api.text("/audit/file?form=jsonl")
     assert operator not in everything
     assert viewer not in everything
     assert server.local_key() not in everything
 
 
-def _say(server: Server, key: str, message: Json) -> None:
+def _send(server: Server, key: str, message: Json) -> None:
     headers = {"Authorization": f"Bearer {key}"}
     with connect(server.stream_address, additional_headers=headers) as stream:
         stream.send(json.dumps(message | {"requestId": "one"}))
@@ -64,13 +64,13 @@ def _ended(api: Api, drone: str) -> list[Json] | None:
     return records if done else None
 
 
-def _check_that_they_can_be_taken_along(api: Api, drone: str, count: int) -> None:
+def _check_export(api: Api, drone: str, count: int) -> None:
     rows = list(csv.DictReader(io.StringIO(api.text(f"/audit/file?drone={drone}"))))
     assert len(rows) >= count
     assert {row["drone"] for row in rows} == {drone}
 
 
-def _check_the_receipt(api: Api) -> None:
+def _check_receipt(api: Api) -> None:
     receipt = api.get("/audit/receipt")
     assert api.call("POST", "/audit/verification", receipt).json()["sound"] is True
     forged: requests.Response = api.call(

@@ -31,7 +31,7 @@ REPEATABLE = {mavlink.MAV_CMD_DO_SET_MODE: "setMode", mavlink.MAV_CMD_DO_REPOSIT
 
 
 @dataclass(frozen=True)
-class Act:
+class ExecutedCommand:
     """One line of a vehicle's log: what it carried out, and when."""
 
     at: float
@@ -44,20 +44,20 @@ class CountingCopter:
 
     def __init__(self, port: int, system_id: int) -> None:
         self.system_id = system_id
-        self._log: list[Act] = []
+        self._log: list[ExecutedCommand] = []
         self._frames: deque[tuple[int, int]] = deque(maxlen=64)
         self._lock = threading.Lock()
-        handlers = {"COMMAND_LONG": self._obey, "COMMAND_INT": self._obey}
+        handlers = {"COMMAND_LONG": self._apply_command, "COMMAND_INT": self._apply_command}
         self.peer = Peer(port, system_id=system_id, handlers=handlers)
         self.peer.state.armed = True
         self.peer.state.custom_mode = GUIDED
         self.peer.state.status = mavlink.MAV_STATE_ACTIVE
 
-    def log(self) -> list[Act]:
+    def log(self) -> list[ExecutedCommand]:
         with self._lock:
             return list(self._log)
 
-    def _obey(self, peer: Peer, message: Any) -> None:
+    def _apply_command(self, peer: Peer, message: Any) -> None:
         frame = (message.get_header().seq, message.get_crc())
         if frame in self._frames:
             return  # the network's own duplicate, as a receiver that looks at sequence numbers knows
@@ -69,7 +69,7 @@ class CountingCopter:
         if kind == "setMode":
             set_mode(peer, int(message.param2), 0)
         with self._lock:
-            self._log.append(Act(time.monotonic(), kind, _parameters(message)))
+            self._log.append(ExecutedCommand(time.monotonic(), kind, _parameters(message)))
         peer.acknowledge(message)
         peer.beat()
 
@@ -81,32 +81,32 @@ def _parameters(message: Any) -> tuple[float, ...]:
 
 
 @dataclass(frozen=True)
-class Given:
+class EndedCommand:
     """One command of one drone as the server ended it."""
 
     at: float
     body: Json
     outcome: Json
 
-    def shows_in(self, act: Act) -> bool:
-        """Whether that is what the vehicle does when it carries this command out."""
-        body, parameters = self.body, act.parameters
-        if body["type"] != act.kind:
+    def matches(self, executed: ExecutedCommand) -> bool:
+        """True if that is what the vehicle does when it carries this command out."""
+        body, parameters = self.body, executed.parameters
+        if body["type"] != executed.kind:
             return False
-        if act.kind == "setMode":
+        if executed.kind == "setMode":
             return bool(parameters[1] == MODES[body["mode"]])
-        if act.kind == "setRelay":
+        if executed.kind == "setRelay":
             return bool(parameters[0] == body["relay"])
-        if act.kind == "turn":
+        if executed.kind == "turn":
             return bool(parameters[0] == abs(body["degrees"]) and parameters[2] * body["degrees"] > 0)
-        if act.kind == "goTo":
+        if executed.kind == "goTo":
             return bool(abs(parameters[0] - body["latitude"] * 1e7) < 2)
         return True  # a picture is like the other
 
 
 @dataclass(frozen=True)
-class Line:
-    """One command beside what the vehicle's own log says of it."""
+class Comparison:
+    """One command beside its executions in the vehicle's own log."""
 
     body: Json
     outcome: Json
@@ -120,26 +120,26 @@ def link(server: Server) -> Iterator[Impairer]:
     made.close()
 
 
-def fly(api: Api, drone: str, commands: list[Json]) -> list[Given]:
-    given = []
+def fly(api: Api, drone: str, commands: list[Json]) -> list[EndedCommand]:
+    ended = []
     for body in commands:
         began = time.monotonic()
         record = api.command(drone, body)
         assert record["outcome"] is not None, record
-        given.append(Given(began, body, record["outcome"]))
-    return given
+        ended.append(EndedCommand(began, body, record["outcome"]))
+    return ended
 
 
-def compared(given: list[Given], log: list[Act]) -> list[Line]:
+def compare(ended: list[EndedCommand], log: list[ExecutedCommand]) -> list[Comparison]:
     """The outcomes line by line beside the log, whose every line must belong to a command."""
-    executions = [0] * len(given)
-    for act in log:
-        likely = [n for n, one in enumerate(given) if one.at <= act.at and one.shows_in(act)]
+    executions = [0] * len(ended)
+    for executed in log:
+        likely = [n for n, one in enumerate(ended) if one.at <= executed.at and one.matches(executed)]
         # Going somewhere may begin with the mode that this needs.
-        assert likely or (act.kind == "setMode" and int(act.parameters[1]) == GUIDED), act
+        assert likely or (executed.kind == "setMode" and int(executed.parameters[1]) == GUIDED), executed
         if likely:
             executions[likely[-1]] += 1
-    return [Line(one.body, one.outcome, count) for one, count in zip(given, executions, strict=True)]
+    return [Comparison(one.body, one.outcome, count) for one, count in zip(ended, executions, strict=True)]
 
 
 def mixed(count: int, seed: int) -> list[Json]:
@@ -161,13 +161,13 @@ def mixed(count: int, seed: int) -> list[Json]:
 
 @pytest.mark.soak
 @pytest.mark.parametrize(("drones", "each"), [(20, 50)], ids=["a thousand commands"])
-def test_outcomes_agree_with_what_the_vehicles_did(
+def test_command_outcomes_match_vehicle_logs(
     server: Server, api: Api, link: Impairer, drones: int, each: int
 ) -> None:
     copters = [CountingCopter(link.port, 150 + number) for number in range(drones)]
     try:
         ids = {copter.system_id: _listed(api, link, copter) for copter in copters}
-        link.weather = BAD
+        link.conditions = BAD
         with ThreadPoolExecutor(drones) as pool:
             # One connection for each thread: a session of requests is not made for many.
             flown = list(
@@ -185,16 +185,16 @@ def test_outcomes_agree_with_what_the_vehicles_did(
             wait_for("all has arrived", partial(link.arrived, link.newest()))
         lines = [
             line
-            for copter, given in zip(copters, flown, strict=True)
-            for line in compared(given, copter.log())
+            for copter, ended in zip(copters, flown, strict=True)
+            for line in compare(ended, copter.log())
         ]
     finally:
         for copter in copters:
             copter.peer.close()
-    _judge(lines, drones * each)
+    _check(lines, drones * each)
 
 
-def _judge(lines: list[Line], expected: int) -> None:
+def _check(lines: list[Comparison], expected: int) -> None:
     results = Counter((line.body["type"], line.outcome["result"], line.executions) for line in lines)
     print(*sorted(results.items()), sep="\n")
     assert len(lines) == expected
@@ -218,7 +218,7 @@ def _judge(lines: list[Line], expected: int) -> None:
 
 def _listed(api: Api, link: Impairer, copter: CountingCopter) -> str:
     def find() -> str | None:
-        port = link.seen_by_server(copter.peer.port)
+        port = link.server_side_port(copter.peer.port)
         return next(
             (
                 str(d["id"])

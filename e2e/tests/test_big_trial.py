@@ -1,4 +1,4 @@
-"""Of six drones two are lost, one runs low, waypoints come up, the server dies: what truly was flown."""
+"""A run of six drones with two losses, a low battery, new waypoints and a server crash."""
 
 import json
 import os
@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from dronemap_e2e.big_trial import ADDED, WAYPOINTS, Conductor, Fault, Trial
+from dronemap_e2e.big_trial import ADDED, WAYPOINTS, BigTrialRunner, Fault, Trial
 from dronemap_e2e.flight import seconds_of
-from dronemap_e2e.impairer import BAD, CLEAR
+from dronemap_e2e.impairer import BAD, UNIMPAIRED
 from dronemap_e2e.trajectories import Visit, crossings, doubles, nearest, visits
 
 # "3-9": these; "bad" among them: the last one over bad links.
@@ -35,36 +35,36 @@ def seeds() -> range:
 
 
 @pytest.fixture
-def conductor(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[Conductor]:
+def runner(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[BigTrialRunner]:
     seed, bad = request.param
-    opened = Conductor(tmp_path, seed, BAD if bad else CLEAR, SPEEDUP)
+    opened = BigTrialRunner(tmp_path, seed, BAD if bad else UNIMPAIRED, SPEEDUP)
     yield opened
     opened.close()
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("conductor", [(seed, False) for seed in seeds()], indirect=True, ids=str)
-def test_all_waypoints_are_visited_whatever_befalls(conductor: Conductor) -> None:
-    trial = conductor.fly()
-    seconds = judged(conductor, trial)
+@pytest.mark.parametrize("runner", [(seed, False) for seed in seeds()], indirect=True, ids=str)
+def test_all_waypoints_are_visited_despite_faults(runner: BigTrialRunner) -> None:
+    trial = runner.fly()
+    seconds = judge(runner, trial)
     for kind, limit in LIMITS.items():
         assert seconds[kind] <= limit, (kind, seconds)
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("conductor", [(max(seeds()) + 1000, True)], indirect=True, ids=str)
-def test_all_waypoints_are_visited_over_bad_links(conductor: Conductor) -> None:
-    judged(conductor, conductor.fly())
+@pytest.mark.parametrize("runner", [(max(seeds()) + 1000, True)], indirect=True, ids=str)
+def test_all_waypoints_are_visited_over_bad_links(runner: BigTrialRunner) -> None:
+    judge(runner, runner.fly())
 
 
-def judged(conductor: Conductor, trial: Trial) -> dict[str, float]:
+def judge(runner: BigTrialRunner, trial: Trial) -> dict[str, float]:
     """All that must hold; from each fault to the acknowledged missions."""
-    tracks = conductor.tracks(trial)
+    tracks = runner.tracks(trial)
     found = visits(tracks, trial.spots)
     least = nearest(tracks)
     twice = doubles(found)
-    seconds = {f.kind: until_on_board(conductor, trial, f) for f in trial.faults}
-    said = {
+    seconds = {f.kind: wait_until_on_board(runner, trial, f) for f in trial.faults}
+    summary = {
         "seed": trial.seed,
         "onCloudLoss": trial.on_cloud_loss,
         "order": [fault.kind for fault in trial.faults],
@@ -77,19 +77,19 @@ def judged(conductor: Conductor, trial: Trial) -> dict[str, float]:
         "dead": round(trial.dead[1] - trial.dead[0], 1),
         "minutes": round(max(f.fixes[-1].seconds for f in tracks.values()) / 60, 1),
     }
-    (conductor.folder / "trial.json").write_text(json.dumps(said))
-    print("TRIAL", json.dumps(said))
+    (runner.folder / "trial.json").write_text(json.dumps(summary))
+    print("TRIAL", json.dumps(summary))
     words = "\n".join(one["words"] for one in trial.over["explanations"])
-    check_visits(trial, found, f"{said}\n{words}")
-    check_doubles(conductor, trial, twice, f"{said}\n{words}")
+    check_visits(trial, found, f"{summary}\n{words}")
+    check_doubles(runner, trial, twice, f"{summary}\n{words}")
     assert not crossings(tracks, trial.discs), (crossings(tracks, trial.discs), words)
-    assert least is None or least.metres >= LEAST_METRES, f"{least}\n{said}\n{words}"
+    assert least is None or least.metres >= LEAST_METRES, f"{least}\n{summary}\n{words}"
     assert trial.replay["same"], trial.replay
     return seconds
 
 
 def check_visits(trial: Trial, found: list[Visit], words: str) -> None:
-    """Each was visited, by who is said to have visited it."""
+    """Checks that each waypoint was visited, by the drone that the run names."""
     truly = {(visit.waypoint, visit.vehicle) for visit in found}
     ids = {fault.drone: fault.system_id for fault in trial.faults}
     assert trial.over["counts"]["waypoints"] == WAYPOINTS + ADDED
@@ -100,11 +100,11 @@ def check_visits(trial: Trial, found: list[Visit], words: str) -> None:
         assert by is None or (one["id"], by) in truly, f"{one}\n{words}"
 
 
-def check_doubles(conductor: Conductor, trial: Trial, twice: dict[str, list[Visit]], words: str) -> None:
-    """Of those who came to one waypoint at most one was in contact, long enough to say so."""
+def check_doubles(runner: BigTrialRunner, trial: Trial, twice: dict[str, list[Visit]], words: str) -> None:
+    """Checks that of several visitors of one waypoint at most one was in contact with the server."""
     cut = trial.of("link")
-    since = conductor.boot_seconds(cut.at) - TELLING_SECONDS
-    gone, back = (conductor.boot_seconds(moment) for moment in trial.dead)
+    since = runner.boot_seconds(cut.at) - TELLING_SECONDS
+    gone, back = (runner.boot_seconds(moment) for moment in trial.dead)
     missed = max(back, gone + MISSING_SECONDS)
     for name, some in twice.items():
         in_contact = [
@@ -112,40 +112,40 @@ def check_doubles(conductor: Conductor, trial: Trial, twice: dict[str, list[Visi
             for visit in some
             if not (visit.vehicle == cut.system_id and visit.seconds >= since)
             and not gone - TELLING_SECONDS <= visit.seconds <= missed + TELLING_SECONDS
-            and not passes_by(visit, some)
+            and not is_pass_by(visit, some)
         ]
         assert len(in_contact) <= 1, f"waypoint {name}: {some}\n{words}"
 
 
-def passes_by(visit: Visit, some: list[Visit]) -> bool:
+def is_pass_by(visit: Visit, some: list[Visit]) -> bool:
     """It took off beside a waypoint that it came to only later."""
     return visit.at_start and any(
         other.vehicle == visit.vehicle and other.seconds > visit.seconds for other in some
     )
 
 
-def until_on_board(conductor: Conductor, trial: Trial, fault: Fault) -> float:
+def wait_until_on_board(runner: BigTrialRunner, trial: Trial, fault: Fault) -> float:
     """From the fault until the last of what was taken from that drone was acknowledged by another one."""
-    taken = taken_from(trial, fault)
+    taken = waypoints_taken_from(trial, fault)
     if not taken:
         return NOTHING_TAKEN
     last = fault.at
     for name in taken:
-        boarded = [
+        acknowledged_missions = [
             at
-            for at, system_id, waypoints in conductor.boarded(trial)
+            for at, system_id, waypoints in runner.acknowledged_missions(trial)
             if at > fault.at and system_id != fault.system_id and name in waypoints
         ]
-        assert boarded, f"nobody got {name}"
-        last = max(last, boarded[0])
+        assert acknowledged_missions, f"nobody got {name}"
+        last = max(last, acknowledged_missions[0])
     return round(last - fault.at, 2)
 
 
-def taken_from(trial: Trial, fault: Fault) -> list[str]:
-    """By the first plan after the fault, as it was told."""
+def waypoints_taken_from(trial: Trial, fault: Fault) -> list[str]:
+    """Waypoints taken from the drone by the first plan after the fault."""
     for one in sorted(trial.explanations.values(), key=lambda one: seconds_of(one["at"])):
         taken = [moved["waypoint"] for moved in one["moved"] if moved["from"] == fault.drone]
-        told = TOLD[fault.kind].format(fault.system_id) in one["words"]
-        if taken and told and seconds_of(one["at"]) > fault.moment:
+        explained = TOLD[fault.kind].format(fault.system_id) in one["words"]
+        if taken and explained and seconds_of(one["at"]) > fault.moment:
             return taken
     return []

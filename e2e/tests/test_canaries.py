@@ -39,15 +39,15 @@ def peer(server: Server) -> Iterator[SigningPeer]:
     started.close()
 
 
-def once(api: Api, path: str, body: Json, member: str) -> str:
-    """What one answer alone shows."""
+def shown_once(api: Api, path: str, body: Json, member: str) -> str:
+    """A value that only this one answer shows."""
     answer = api.call("POST", path, body)
     assert answer.status_code in (200, 201), answer.text
     shown: str = answer.json()[member]
     return shown
 
 
-def put_in(server: Server, api: Api, drone: str) -> dict[str, str]:
+def create_secrets(server: Server, api: Api, drone: str) -> dict[str, str]:
     """A secret of every kind, each used once."""
     password, own = (f"canary-{secrets.token_hex(8)}" for _ in range(2))
     name = f"canary-{secrets.token_hex(4)}"
@@ -65,15 +65,15 @@ def put_in(server: Server, api: Api, drone: str) -> dict[str, str]:
         "a password": own,
         "a session": str(next(iter(signed_in.cookies)).value),
         "an access key": session.new_key("canary", "operator"),
-        "the key of a DTLS link": once(api, "/dtls-keys", {"label": name}, "secret"),
-        "an invitation": once(api, "/invitations", {"label": name, "role": "viewer"}, "code"),
-        "a ticket of the stream": once(session, "/stream-tickets", {}, "ticket"),
-        "the key of a vehicle": once(api, f"/drones/{drone}/link-key", {}, "key"),
+        "the key of a DTLS link": shown_once(api, "/dtls-keys", {"label": name}, "secret"),
+        "an invitation": shown_once(api, "/invitations", {"label": name, "role": "viewer"}, "code"),
+        "a ticket of the stream": shown_once(session, "/stream-tickets", {}, "ticket"),
+        "the key of a vehicle": shown_once(api, f"/drones/{drone}/link-key", {}, "key"),
     }
 
 
-def forms(secret: str) -> set[bytes]:
-    """As text, and as the bytes that it may stand for, in the ways that files keep them."""
+def encodings(secret: str) -> set[bytes]:
+    """A secret as text and as bytes, in the encodings that files may have."""
     plain = {secret.encode()}
     try:
         plain.add(bytes.fromhex(secret))
@@ -86,12 +86,10 @@ def forms(secret: str) -> set[bytes]:
     return plain | encoded | {each.upper() for each in encoded if each.islower()}
 
 
-def test_no_backup_recording_or_log_of_the_server_has_a_secret_in_it(
-    server: Server, api: Api, peer: SigningPeer
-) -> None:
+def test_no_backup_recording_or_log_contains_a_secret(server: Server, api: Api, peer: SigningPeer) -> None:
     """End to end because backups are those of a real PostgreSQL, and logs those of a whole process."""
     drone = wait_for("the peer is listed", lambda: _listed(api, peer), 30)
-    canaries = put_in(server, api, drone)
+    canaries = create_secrets(server, api, drone)
     assert api.call("POST", f"/drones/{drone}/link-key/install").status_code == 200
     assert peer.keys == [bytes.fromhex(canaries["the key of a vehicle"])]
     recording = wait_for("it is recorded", partial(_recording, api, drone), 30)
@@ -108,7 +106,7 @@ def test_no_backup_recording_or_log_of_the_server_has_a_secret_in_it(
     found = [
         f"{what} in {where}"
         for what, secret in canaries.items()
-        for form in forms(secret)
+        for form in encodings(secret)
         for where, data in kept.items()
         if form in data
     ]

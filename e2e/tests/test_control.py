@@ -13,10 +13,18 @@ import pytest
 from playwright.sync_api import Browser, Playwright, expect
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.race import Hoverer, Racer, RestClient, StreamClient, judge, race, settle
+from dronemap_e2e.database_stall import DatabaseStall
+from dronemap_e2e.race import (
+    HoveringCopter,
+    Racer,
+    RestClient,
+    StreamClient,
+    check_epochs,
+    fill_epochs_from_records,
+    race,
+)
 from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
-from dronemap_e2e.stall import Stall
 from dronemap_e2e.station import Pointer, Station, launch
 from dronemap_e2e.waiting import wait_for
 
@@ -29,14 +37,14 @@ class User(NamedTuple):
     password: str
 
 
-class Sky(NamedTuple):
-    """A server that calls drones back soon after their holder is lost."""
+class ControlServer(NamedTuple):
+    """A server that has drones return soon after their holder is lost."""
 
     server: Server
 
     @property
     def api(self) -> Api:
-        """As its own machine calls it; each start of the server makes another key for that."""
+        """An API client with the local key, which each start of the server makes anew."""
         return Api(self.server.address, self.server.local_key())
 
     def user(self, role: str) -> User:
@@ -59,34 +67,34 @@ class Sky(NamedTuple):
 
 
 @pytest.fixture(scope="module")
-def sky(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Sky]:
+def control_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[ControlServer]:
     server = Server(
         tmp_path_factory.mktemp("control") / "data",
         DRONEMAP_CONTROL_RETURN_SECONDS="2",
         DRONEMAP_RATE_COMMANDS="0",  # racers are no people
     )
     server.start()
-    yield Sky(server)
+    yield ControlServer(server)
     server.stop()
 
 
 @pytest.fixture
-def hover(sky: Sky) -> Iterator[Callable[[], tuple[Hoverer, str]]]:
+def hovering_copter(control_server: ControlServer) -> Iterator[Callable[[], tuple[HoveringCopter, str]]]:
     """Makes drones that hover, guided."""
-    flying: list[Hoverer] = []
+    flying: list[HoveringCopter] = []
 
-    def make() -> tuple[Hoverer, str]:
-        hoverer = Hoverer(sky.server.udp_port, 50 + len(flying))
-        flying.append(hoverer)
-        drone = wait_for("it flies", lambda: _flying(sky.api, hoverer.peer.port), 60)
+    def make() -> tuple[HoveringCopter, str]:
+        hovering = HoveringCopter(control_server.server.udp_port, 50 + len(flying))
+        flying.append(hovering)
+        drone = wait_for("it flies", lambda: _flying(control_server.api, hovering.peer.port), 60)
         # On the page those of earlier tests, lost by now, would else be called the same.
-        name = {"name": f"Hoverer {hoverer.peer.port}"}
-        assert sky.api.call("PATCH", f"/drones/{drone['id']}", name).ok
-        return hoverer, drone["id"]
+        name = {"name": f"Hoverer {hovering.peer.port}"}
+        assert control_server.api.call("PATCH", f"/drones/{drone['id']}", name).ok
+        return hovering, drone["id"]
 
     yield make
-    for hoverer in flying:
-        hoverer.peer.close()
+    for hovering in flying:
+        hovering.peer.close()
 
 
 def _flying(api: Api, port: int) -> Json | None:
@@ -100,40 +108,40 @@ def _flying(api: Api, port: int) -> Json | None:
     )
 
 
-def racers(sky: Sky, drone: str, calm_every: int = 8) -> list[Racer]:
-    stream = StreamClient(sky.server.stream_address, sky.key("supervisor"), drone)
-    rest = RestClient(Api(sky.server.address, sky.key("supervisor")), drone)
+def racers(control_server: ControlServer, drone: str, quiet_every: int = 8) -> list[Racer]:
+    stream = StreamClient(control_server.server.stream_address, control_server.key("supervisor"), drone)
+    rest = RestClient(Api(control_server.server.address, control_server.key("supervisor")), drone)
     return [
-        Racer("rest", rest, 0, seed=1, calm_every=calm_every),
-        Racer("stream", stream, 1, seed=2, calm_every=calm_every),
+        Racer("rest", rest, 0, seed=1, quiet_every=quiet_every),
+        Racer("stream", stream, 1, seed=2, quiet_every=quiet_every),
     ]
 
 
-def recorded(sky: Sky, command: str) -> Json | None:
-    answer = sky.api.call("GET", f"/commands/{command}")
+def command_record(control_server: ControlServer, command: str) -> Json | None:
+    answer = control_server.api.call("GET", f"/commands/{command}")
     found: Json | None = answer.json() if answer.ok else None
     return found
 
 
 @pytest.mark.soak
-def test_ten_thousand_rounds_and_restarts_never_bring_an_old_epoch(
-    sky: Sky, hover: Callable[[], tuple[Hoverer, str]]
+def test_no_command_of_an_old_epoch_in_ten_thousand_rounds_with_restarts(
+    control_server: ControlServer, hovering_copter: Callable[[], tuple[HoveringCopter, str]]
 ) -> None:
-    hoverer, drone = hover()
-    both = racers(sky, drone, calm_every=100)
+    hovering, drone = hovering_copter()
+    both = racers(control_server, drone, quiet_every=100)
 
     def restart(round_number: int) -> None:
         if round_number and round_number % (SOAK_ROUNDS // 4) == 0:
-            sky.server.kill()
-            sky.server.start()
-            wait_for("it flies again", lambda: _flying(sky.api, hoverer.peer.port), 60)
+            control_server.server.kill()
+            control_server.server.start()
+            wait_for("it flies again", lambda: _flying(control_server.api, hovering.peer.port), 60)
 
-    with Stall(sky.server.data, seed=4) as stall:
+    with DatabaseStall(control_server.server.data, seed=4) as stall:
         race(both, SOAK_ROUNDS, restart)
 
-    moves = list(hoverer.moves)
-    lost = settle(moves, both, partial(recorded, sky))
-    changes = judge(moves, both)
+    moves = list(hovering.moves)
+    lost = fill_epochs_from_records(moves, both, partial(command_record, control_server))
+    changes = check_epochs(moves, both)
     refused = sum(len(racer.refused) for racer in both)
     print(
         f"{len(moves)} commands on the wire, {changes} changes of the holder between them, {refused} refused,"
@@ -142,11 +150,13 @@ def test_ten_thousand_rounds_and_restarts_never_bring_an_old_epoch(
     assert changes > SOAK_ROUNDS / 100 and stall.times > SOAK_ROUNDS / 100
 
 
-def holds_and_returns(sky: Sky, hoverer: Hoverer, drone: str) -> None:
-    wait_for("it holds", lambda: hoverer.peer.state.custom_mode in (LOITER, BRAKE), 60)
-    wait_for("it returns", lambda: hoverer.peer.state.custom_mode == RTL, 60)
-    assert sky.api.drone(drone)["control"]["state"] == "free"
-    assert [c["by"] for c in sky.api.get(f"/drones/{drone}/commands")["commands"][:2]] == ["dronemap"] * 2
+def holds_and_returns(control_server: ControlServer, hovering: HoveringCopter, drone: str) -> None:
+    wait_for("it holds", lambda: hovering.peer.state.custom_mode in (LOITER, BRAKE), 60)
+    wait_for("it returns", lambda: hovering.peer.state.custom_mode == RTL, 60)
+    assert control_server.api.drone(drone)["control"]["state"] == "free"
+    assert [c["by"] for c in control_server.api.get(f"/drones/{drone}/commands")["commands"][:2]] == [
+        "dronemap"
+    ] * 2
 
 
 def kill_browser(mark: str) -> None:
@@ -160,35 +170,37 @@ def kill_browser(mark: str) -> None:
     raise AssertionError("there is no such browser")
 
 
-def test_the_drone_of_a_killed_browser_holds_and_then_returns(
-    sky: Sky, hover: Callable[[], tuple[Hoverer, str]], playwright: Playwright
+def test_drone_holds_and_returns_after_browser_is_killed(
+    control_server: ControlServer,
+    hovering_copter: Callable[[], tuple[HoveringCopter, str]],
+    playwright: Playwright,
 ) -> None:
     """End to end because a browser that is killed says nothing more, and its real connection is what ends."""
-    hoverer, drone = hover()
+    hovering, drone = hovering_copter()
     mark = f"--doomed={secrets.token_hex(8)}"
     doomed = launch(playwright, mark)
     station = Station(open_page(doomed), Pointer())
-    station.sign_in(sky.server.address, *sky.user("operator"), secrets.token_hex(10))
-    station.choose(sky.api.drone(drone)["name"])
+    station.sign_in(control_server.server.address, *control_server.user("operator"), secrets.token_hex(10))
+    station.choose(control_server.api.drone(drone)["name"])
     station.press("Take control")
     station.shows("You have control")
-    wait_for("the page keeps it", lambda: sky.api.drone(drone)["control"]["explicit"], 30)
+    wait_for("the page keeps it", lambda: control_server.api.drone(drone)["control"]["explicit"], 30)
 
     kill_browser(mark)
 
-    holds_and_returns(sky, hoverer, drone)
+    holds_and_returns(control_server, hovering, drone)
 
 
-def test_people_see_who_has_control_and_hand_it_over(
-    sky: Sky, hover: Callable[[], tuple[Hoverer, str]], browser: Browser
+def test_page_shows_holder_and_hands_over_control(
+    control_server: ControlServer, hovering_copter: Callable[[], tuple[HoveringCopter, str]], browser: Browser
 ) -> None:
     """End to end because people do it on the page, each in a browser of their own."""
-    _, drone = hover()
-    name = sky.api.drone(drone)["name"]
-    users = [sky.user("operator"), sky.user("operator")]
+    _, drone = hovering_copter()
+    name = control_server.api.drone(drone)["name"]
+    users = [control_server.user("operator"), control_server.user("operator")]
     ann, bob = (Station(open_page(browser), Pointer()) for _ in users)
     for station, user in zip((ann, bob), users, strict=True):
-        station.sign_in(sky.server.address, *user, secrets.token_hex(10))
+        station.sign_in(control_server.server.address, *user, secrets.token_hex(10))
         station.choose(name)
 
     ann.press("Take control")

@@ -1,4 +1,4 @@
-"""The server killed with -9: vehicles hear it before its pages are there, and soon all is shown again."""
+"""The server killed with -9: heartbeats come before its pages are there, and soon all is shown again."""
 
 import secrets
 from collections.abc import Iterator
@@ -12,7 +12,7 @@ from pymavlink import mavutil
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import items, triangle
-from dronemap_e2e.peer import Peer, with_hardware
+from dronemap_e2e.peer import Peer, reporting_hardware
 from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import QUICK_FLIGHT, Simulator
@@ -28,7 +28,7 @@ RETURN_SECONDS = 15
 
 @pytest.fixture
 def shipped(tmp_path: Path) -> Iterator[Server]:
-    """As shipped: the second compiler takes as long again to start."""
+    """A server with its options as shipped, whose start takes longer."""
     started = Server(tmp_path / "data", as_shipped=True)
     started.start()
     yield started
@@ -36,16 +36,16 @@ def shipped(tmp_path: Path) -> Iterator[Server]:
 
 
 @pytest.fixture
-def in_mission(killable: Server, tmp_path: Path) -> Iterator[tuple[Api, Json]]:
+def copter_in_mission(killable_server: Server, tmp_path: Path) -> Iterator[tuple[Api, Json]]:
     """A copter that has just begun a mission of three waypoints."""
     system_id = next(SYSTEM_IDS)
     simulator = Simulator(
         tmp_path / "sim.log",
-        f"udp://127.0.0.1:{killable.udp_port}",
+        f"udp://127.0.0.1:{killable_server.udp_port}",
         *("--count", "1", "--sysid", str(system_id)),
         *QUICK_FLIGHT,
     )
-    api = Api(killable.address, killable.local_key())
+    api = Api(killable_server.address, killable_server.local_key())
     drone = wait_for("the copter is ready", lambda: api.ready(system_id), 90)
     api.do(drone["id"], type="arm")
     api.do(drone["id"], type="takeOff", altitude=10)
@@ -63,7 +63,7 @@ def page(browser: Browser) -> Iterator[Page]:
     opened.context.close()
 
 
-def signed_in(page: Page, server: Server, api: Api, drone: Json) -> Station:
+def sign_in(page: Page, server: Server, api: Api, drone: Json) -> Station:
     """Signed in before the crash, with the drone's panel open."""
     name = f"pilot-{secrets.token_hex(4)}"
     pilot = {"name": name, "password": secrets.token_hex(10), "role": "operator"}
@@ -74,18 +74,18 @@ def signed_in(page: Page, server: Server, api: Api, drone: Json) -> Station:
     return station
 
 
-def test_after_a_crash_a_mission_of_somebody_else_is_noticed(
-    killable: Server, in_mission: tuple[Api, Json], page: Page
+def test_mission_replaced_during_crash_is_noticed(
+    killable_server: Server, copter_in_mission: tuple[Api, Json], page: Page
 ) -> None:
     """End to end because an open page comes back by itself, and pymavlink takes the dead server's place."""
-    api, drone = in_mission
-    station = signed_in(page, killable, api, drone)
+    api, drone = copter_in_mission
+    station = sign_in(page, killable_server, api, drone)
     api.do(drone["id"], type="startMission")
-    killable.kill()
-    _replace_mission(killable.udp_port, drone["home"])
+    killable_server.kill()
+    _replace_mission(killable_server.udp_port, drone["home"])
 
-    killable.start()
-    again = Api(killable.address, killable.local_key())
+    killable_server.start()
+    again = Api(killable_server.address, killable_server.local_key())
     now = wait_for("its mission was read", lambda: _with_mission(again, drone["id"]), 60)
 
     station.shows("2 items instead of 4", 60)
@@ -93,25 +93,25 @@ def test_after_a_crash_a_mission_of_somebody_else_is_noticed(
     assert "2 items instead of 4" in now["mission"]["notice"]
 
 
-def test_after_a_crash_vehicles_hear_the_server_before_its_pages_are_there(killable: Server) -> None:
+def test_vehicles_get_heartbeats_before_pages_after_a_crash(killable_server: Server) -> None:
     """Pages take most of a start; ArduPilot flies home when it hears nothing for five seconds.
 
     End to end because it is about the order in which the parts of a process start.
     """
-    with known_peer(killable) as peer:
-        killable.kill()
-        hears_it_before_the_pages(killable, peer)
+    with known_peer(killable_server) as peer:
+        killable_server.kill()
+        assert_link_before_pages(killable_server, peer)
 
 
 @pytest.mark.soak
-def test_so_soon_after_a_crash_all_is_shown_again(shipped: Server, page: Page) -> None:
+def test_state_is_shown_again_in_time_after_a_crash(shipped: Server, page: Page) -> None:
     with known_peer(shipped) as peer:
         api = Api(shipped.address, shipped.local_key())
-        station = signed_in(page, shipped, api, listed(api, peer))
+        station = sign_in(page, shipped, api, listed(api, peer))
         shipped.kill()
         station.shows("No connection to the cloud")
         watch = Stopwatch()
-        hears_it_before_the_pages(shipped, peer)
+        assert_link_before_pages(shipped, peer)
         expect(page.get_by_text("No connection to the cloud")).to_have_count(0, timeout=60_000)
         station.shows("Live", 60)
         watch.expect_at_most(RETURN_SECONDS)
@@ -121,7 +121,7 @@ def test_so_soon_after_a_crash_all_is_shown_again(shipped: Server, page: Page) -
 def known_peer(server: Server) -> Iterator[Peer]:
     """One that the server lists, and that hears it."""
     api = Api(server.address, server.local_key())
-    peer = Peer(server.udp_port, system_id=7, handlers={"COMMAND_LONG": with_hardware(0x5107)})
+    peer = Peer(server.udp_port, system_id=7, handlers={"COMMAND_LONG": reporting_hardware(0x5107)})
     try:
         wait_for("it is live", lambda: [d["link"]["state"] for d in of(api, peer)] == ["live"])
         wait_for("it hears the server", lambda: peer.received("HEARTBEAT"))
@@ -139,7 +139,7 @@ def listed(api: Api, peer: Peer) -> Json:
     return drone
 
 
-def hears_it_before_the_pages(server: Server, peer: Peer) -> None:
+def assert_link_before_pages(server: Server, peer: Peer) -> None:
     """From its end on until it is up again."""
     peer.state.received.clear()
     server.begin()

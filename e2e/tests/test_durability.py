@@ -1,4 +1,4 @@
-"""What was acknowledged is there, however often the server is killed."""
+"""Acknowledged writes survive kills of the server."""
 
 import os
 import random
@@ -11,7 +11,7 @@ import requests
 from dronemap_e2e.api import Api
 from dronemap_e2e.server import Server
 from dronemap_e2e.waiting import wait_for
-from dronemap_e2e.writers import ITEMS, Writer, of_every_kind
+from dronemap_e2e.writers import ITEMS, Writer, one_of_each_kind
 
 WRITERS = 4
 KILLS = int(os.environ.get("DRONEMAP_KILLS", "40"))
@@ -25,16 +25,16 @@ LONGEST_SECONDS_MORE = 2.0
     [(300, 2), pytest.param(1_000, 4, marks=pytest.mark.soak)],
     ids=["some", "a thousand"],
 )
-def test_acknowledged_writes_survive_random_kills(writes: int, kills: int, killable: Server) -> None:
+def test_acknowledged_writes_survive_random_kills(writes: int, kills: int, killable_server: Server) -> None:
     """End to end because a process is killed with -9 under its clients, and its own PostgreSQL goes on."""
     chance = random.Random(20)
     acknowledged: list[str] = []
     for kill in range(kills):
         goal = writes * (kill + 1) // (kills + 1) + chance.randrange(50)
-        _write_until(killable, acknowledged, goal, and_then=killable.kill)
-        killable.start()
-    _write_until(killable, acknowledged, writes)
-    api = Api(killable.address, killable.local_key())
+        _write_until(killable_server, acknowledged, goal, and_then=killable_server.kill)
+        killable_server.start()
+    _write_until(killable_server, acknowledged, writes)
+    api = Api(killable_server.address, killable_server.local_key())
     kept = {mission["name"] for mission in api.get("/missions")["missions"]}
 
     assert len(acknowledged) >= writes
@@ -45,7 +45,7 @@ def test_acknowledged_writes_survive_random_kills(writes: int, kills: int, killa
 def test_four_writers_of_four_kinds_lose_nothing_in_forty_kills(own_server: Server) -> None:
     """End to end because a process is killed with -9 under its clients; each kill falls at another moment."""
     chance = random.Random(40)
-    writers = of_every_kind()
+    writers = one_of_each_kind()
     for kill in range(KILLS):
         _write_and_kill(own_server, writers, chance.uniform(0, LONGEST_SECONDS_MORE))
         own_server.start()

@@ -8,17 +8,17 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from dronemap_e2e.api import Api, Json
+from dronemap_e2e.message_recorder import VehicleMessages
 from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.station import Pointer, Station
-from dronemap_e2e.tap import Wire
 
 
-def sent(wire: Wire) -> list[Any]:
+def sent(wire: VehicleMessages) -> list[Any]:
     """Commands and mission items that went down to the vehicle, message requests aside."""
     return [
         h.message
-        for h in wire.heard("COMMAND_LONG", "COMMAND_INT", "MISSION_COUNT", "MISSION_ITEM_INT", up=False)
+        for h in wire.messages("COMMAND_LONG", "COMMAND_INT", "MISSION_COUNT", "MISSION_ITEM_INT", up=False)
         if getattr(h.message, "command", None) not in (511, 512, 519, 520)
     ]
 
@@ -37,7 +37,7 @@ def user(api: Api, role: str) -> tuple[str, str]:
     return name, password
 
 
-def test_a_wrong_password_is_told_so(server: Server, page: Page) -> None:
+def test_wrong_password_is_reported(server: Server, page: Page) -> None:
     """End to end because a person reads it on the page."""
     page.goto(server.address)
     page.get_by_label("User name").fill("admin")
@@ -47,8 +47,8 @@ def test_a_wrong_password_is_told_so(server: Server, page: Page) -> None:
     expect(page.get_by_role("alert")).to_contain_text("password")
 
 
-def test_a_viewer_reads_why_arming_is_not_for_viewers(
-    server: Server, api: Api, wire: Wire, copter: Json, page: Page
+def test_viewer_is_shown_why_arming_is_refused(
+    server: Server, api: Api, wire: VehicleMessages, copter: Json, page: Page
 ) -> None:
     """End to end because a browser holds the button, and nothing goes over the wire."""
     station = Station(page, Pointer())
@@ -57,12 +57,12 @@ def test_a_viewer_reads_why_arming_is_not_for_viewers(
 
     expect(station.button("Arm")).to_have_attribute("aria-disabled", "true")
     station.shows("Viewers watch only")
-    station.hands.hold(page, station.button("Arm"))
+    station.input_method.hold(page, station.button("Arm"))
     assert not sent(wire)
 
 
-def test_bad_waypoints_stay_on_the_page(
-    server: Server, api: Api, wire: Wire, copter: Json, page: Page
+def test_invalid_waypoints_are_not_uploaded(
+    server: Server, api: Api, wire: VehicleMessages, copter: Json, page: Page
 ) -> None:
     """End to end because a browser keeps them, and nothing goes over the wire."""
     station = Station(page, Pointer())

@@ -9,9 +9,9 @@ from websockets.sync.client import ClientConnection, connect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import Point, items, judge, triangle
+from dronemap_e2e.message_recorder import VehicleMessages
 from dronemap_e2e.server import Server
 from dronemap_e2e.soap import soap
-from dronemap_e2e.tap import Wire
 from dronemap_e2e.waiting import wait_for
 
 TAKE_OFF_METERS = 8.0
@@ -35,7 +35,7 @@ def _altitude(api: Api, drone: str) -> float:
     return altitude
 
 
-def test_flies_by_rest(api: Api, wire: Wire, copter: Json) -> None:
+def test_flies_by_rest(api: Api, wire: VehicleMessages, copter: Json) -> None:
     """End to end because requests speaks HTTP to the server's own port, and the judge sees only the wire."""
     points = triangle(copter["home"])
 
@@ -47,7 +47,7 @@ def test_flies_by_rest(api: Api, wire: Wire, copter: Json) -> None:
     judge(wire, points, TAKE_OFF_METERS)
 
 
-def test_flies_by_curl(server: Server, api: Api, wire: Wire, copter: Json) -> None:
+def test_flies_by_curl(server: Server, api: Api, wire: VehicleMessages, copter: Json) -> None:
     """End to end because curl is the program that the handbook tells people to use."""
     points = triangle(copter["home"], altitude=6)
 
@@ -71,7 +71,7 @@ def test_flies_by_curl(server: Server, api: Api, wire: Wire, copter: Json) -> No
     judge(wire, points, 6)
 
 
-def test_flies_by_soap(server: Server, api: Api, wire: Wire, copter: Json) -> None:
+def test_flies_by_soap(server: Server, api: Api, wire: VehicleMessages, copter: Json) -> None:
     """End to end because zeep makes its calls of the service's own WSDL."""
     points = triangle(copter["home"], altitude=10)
     service = soap(server, server.local_key())
@@ -109,7 +109,7 @@ def test_flies_by_soap(server: Server, api: Api, wire: Wire, copter: Json) -> No
     judge(wire, points, TAKE_OFF_METERS)
 
 
-def test_flies_by_websocket(server: Server, api: Api, wire: Wire, copter: Json) -> None:
+def test_flies_by_websocket(server: Server, api: Api, wire: VehicleMessages, copter: Json) -> None:
     """End to end because another maker's WebSocket client carries the whole flight."""
     points = triangle(copter["home"], altitude=7)
     headers = {"Authorization": f"Bearer {server.local_key()}"}

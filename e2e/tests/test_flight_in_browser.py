@@ -10,11 +10,11 @@ from playwright.sync_api import Browser, Page, ViewportSize, expect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import Point, judge, triangle
-from dronemap_e2e.peer import OBEDIENT, Peer
+from dronemap_e2e.message_recorder import VehicleMessages
+from dronemap_e2e.peer import STANDARD_HANDLERS, Peer
 from dronemap_e2e.screen import DESK, PHONE, open_page
 from dronemap_e2e.server import Server
-from dronemap_e2e.station import Hands, Keyboard, Pointer, Station, Touch
-from dronemap_e2e.tap import Wire
+from dronemap_e2e.station import InputMethod, Keyboard, Pointer, Station, Touch
 from dronemap_e2e.waiting import wait_for
 
 NAV_WAYPOINT = 16
@@ -36,8 +36,10 @@ def open_station(server: Server, browser: Browser, pilot: tuple[str, str]) -> It
     name, password = pilot
     own = secrets.token_hex(10)
 
-    def opened(hands: Hands, size: ViewportSize, dark: bool = False) -> Station:
-        stations.append(Station(open_page(browser, size, isinstance(hands, Touch), dark), hands))
+    def opened(input_method: InputMethod, size: ViewportSize, dark: bool = False) -> Station:
+        stations.append(
+            Station(open_page(browser, size, isinstance(input_method, Touch), dark), input_method)
+        )
         # The first sign-in wants another password than the one that the administrator knows.
         stations[-1].sign_in(server.address, name, own if len(stations) > 1 else password, own)
         return stations[-1]
@@ -55,11 +57,11 @@ def picture(page: Page, name: str) -> None:
         page.screenshot(path=Path(folder) / f"{name}.png")
 
 
-def uploaded(wire: Wire) -> list[Point]:
+def uploaded(wire: VehicleMessages) -> list[Point]:
     """The waypoints that went over the wire, each once, home aside."""
     by_number = {
         h.message.seq: h.message
-        for h in wire.heard("MISSION_ITEM_INT", up=False)
+        for h in wire.messages("MISSION_ITEM_INT", up=False)
         if h.message.command == NAV_WAYPOINT and h.message.seq > 0
     }
     return [Point(m.x / 1e7, m.y / 1e7, m.z) for _, m in sorted(by_number.items())]
@@ -73,7 +75,7 @@ def click_waypoints(station: Station, _: Json) -> None:
     if box["width"] > 800:
         left, right = left + 40, right - 40
     for across, down in ((0.45, 0.3), (0.57, 0.27), (0.55, 0.36)):
-        station.hands.tap_map(station.page, left + across * (right - left), top + down * height)
+        station.input_method.tap_map(station.page, left + across * (right - left), top + down * height)
 
 
 def type_waypoints(station: Station, drone: Json) -> None:
@@ -84,7 +86,7 @@ def type_waypoints(station: Station, drone: Json) -> None:
 
 
 @pytest.mark.parametrize(
-    ("hands", "size", "dark", "waypoints"),
+    ("input_method", "size", "dark", "waypoints"),
     [
         (Pointer(), DESK, False, click_waypoints),
         (Touch(), PHONE, True, click_waypoints),
@@ -95,16 +97,16 @@ def type_waypoints(station: Station, drone: Json) -> None:
 def test_a_person_flies_a_mission(
     request: pytest.FixtureRequest,
     open_station: Open,
-    wire: Wire,
+    wire: VehicleMessages,
     copter: Json,
-    hands: Hands,
+    input_method: InputMethod,
     size: ViewportSize,
     dark: bool,
     waypoints: Callable[[Station, Json], None],
 ) -> None:
     """End to end because hands fly it in a browser, and the judge sees only the wire."""
     name = request.node.callspec.id
-    station = open_station(hands, size, dark)
+    station = open_station(input_method, size, dark)
     station.choose(copter["name"])
     picture(station.page, f"{name}-1-chosen")
     station.hold("Arm")
@@ -129,12 +131,12 @@ def test_a_person_flies_a_mission(
     judge(wire, points, 8)
 
 
-def test_the_page_shows_the_vehicles_own_refusal(server: Server, open_station: Open, api: Api) -> None:
+def test_page_shows_refusal_text_of_vehicle(server: Server, open_station: Open, api: Api) -> None:
     """End to end because a browser shows what a vehicle of another maker's program says."""
     sentence = f"PreArm: {secrets.token_hex(6)} not healthy"
 
     def deny(peer: Peer, message: object) -> None:
-        peer.say(sentence)
+        peer.send_text(sentence)
         peer.acknowledge(message, 4)
 
     peer = Peer(server.udp_port, system_id=201, handlers={"COMMAND_LONG": deny})
@@ -148,9 +150,9 @@ def test_the_page_shows_the_vehicles_own_refusal(server: Server, open_station: O
         peer.close()
 
 
-def test_every_open_page_shows_a_lost_drone(server: Server, open_station: Open, api: Api) -> None:
+def test_all_open_pages_show_a_lost_drone(server: Server, open_station: Open, api: Api) -> None:
     """End to end because each browser hears it by a stream of its own."""
-    peer = Peer(server.udp_port, system_id=202, handlers=OBEDIENT)
+    peer = Peer(server.udp_port, system_id=202, handlers=STANDARD_HANDLERS)
     try:
         drone = wait_for("listed", lambda: _by_port(api, peer.port))
         pages = [open_station(Pointer(), DESK), open_station(Touch(), PHONE)]
@@ -170,17 +172,17 @@ def _by_port(api: Api, port: int) -> Json | None:
     return next((d for d in api.drones() if d["link"]["port"] == port), None)
 
 
-def _highest(wire: Wire) -> float:
-    heights = [h.message.relative_alt / 1000 for h in wire.heard("GLOBAL_POSITION_INT", up=True)]
+def _highest(wire: VehicleMessages) -> float:
+    heights = [h.message.relative_alt / 1000 for h in wire.messages("GLOBAL_POSITION_INT", up=True)]
     return max(heights, default=0.0)
 
 
-def _reached(wire: Wire, waypoints: int) -> bool:
+def _reached(wire: VehicleMessages, waypoints: int) -> bool:
     """The last item of the mission: take-off and waypoints, behind the home item."""
-    last = max((h.message.seq for h in wire.heard("MISSION_ITEM_REACHED", up=True)), default=0)
+    last = max((h.message.seq for h in wire.messages("MISSION_ITEM_REACHED", up=True)), default=0)
     return waypoints > 0 and last >= waypoints + 1
 
 
-def _disarmed_after_flight(wire: Wire) -> bool:
-    beats = [h for h in wire.heard("HEARTBEAT", up=True) if h.message.get_srcComponent() == 1]
+def _disarmed_after_flight(wire: VehicleMessages) -> bool:
+    beats = [h for h in wire.messages("HEARTBEAT", up=True) if h.message.get_srcComponent() == 1]
     return bool(beats) and not beats[-1].message.base_mode & 0x80

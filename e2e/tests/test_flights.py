@@ -20,10 +20,10 @@ from playwright.sync_api import Browser, Page, expect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import Point, flight_of, triangle
+from dronemap_e2e.message_recorder import VehicleMessages
 from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.station import Pointer, Station
-from dronemap_e2e.tap import Wire
 from dronemap_e2e.waiting import wait_for
 
 METRES = 1.0
@@ -42,15 +42,15 @@ WATCH = """map => {
 SEEK = "(line, time) => { line.value = time; line.dispatchEvent(new Event('input', { bubbles: true })); }"
 
 
-class OnTheWire:
-    """Where a vehicle said that it was, by the time of day when it was heard."""
+class WirePositions:
+    """Positions that a vehicle reported on the wire, by time of day."""
 
-    def __init__(self, wire: Wire) -> None:
+    def __init__(self, wire: VehicleMessages) -> None:
         offset = time.time() - time.monotonic()
-        heard = wire.heard("GLOBAL_POSITION_INT", up=True)
-        self._times = [h.at + offset for h in heard]
+        recorded = wire.messages("GLOBAL_POSITION_INT", up=True)
+        self._times = [h.at + offset for h in recorded]
         self._places = [
-            (h.message.lat / 1e7, h.message.lon / 1e7, h.message.relative_alt / 1e3) for h in heard
+            (h.message.lat / 1e7, h.message.lon / 1e7, h.message.relative_alt / 1e3) for h in recorded
         ]
 
     def check(self, places: list[tuple[float, ...]]) -> None:
@@ -100,12 +100,12 @@ def fly(api: Api, copter: Json) -> Json:
     flight: Json = wait_for("the flight has ended", lambda: flight_of(api, drone, "ended"), 120)
     end = datetime.fromisoformat(flight["end"])
 
-    def later() -> bool:
-        """What comes after it is stored: so is all of it."""
+    def all_stored() -> bool:
+        """True when telemetry after the flight is stored, and so all of the flight."""
         points = api.get(f"/drones/{drone}/telemetry/points?from={flight['end']}&most=20000")["points"]
         return any(datetime.fromisoformat(point["at"]) > end for point in points)
 
-    wait_for("all of it is stored", later, 60)
+    wait_for("all of it is stored", all_stored, 60)
     return flight
 
 
@@ -124,13 +124,13 @@ def picture(page: Page, name: str) -> None:
         page.screenshot(path=Path(folder) / f"{name}.png", full_page=True)
 
 
-def test_a_flight_is_played_and_taken_along_as_it_was_on_the_wire(
-    server: Server, api: Api, wire: Wire, copter: Json, page: Page, tmp_path: Path
+def test_flight_replay_and_export_match_the_wire(
+    server: Server, api: Api, wire: VehicleMessages, copter: Json, page: Page, tmp_path: Path
 ) -> None:
     """End to end because a browser plays it, and DuckDB reads its columns."""
     flight = fly(api, copter)
     check_files(api, flight, tmp_path)
-    check_replay(server, api, page, copter, OnTheWire(wire))
+    check_replay(server, api, page, copter, WirePositions(wire))
 
 
 def check_files(api: Api, flight: Json, folder: Path) -> None:
@@ -149,7 +149,7 @@ def check_files(api: Api, flight: Json, folder: Path) -> None:
 
 
 def check_columns(parquet: Path, rows: list[dict[str, str]], drone: str) -> None:
-    """What another program reads in the columns is, row by row, what stands in the table."""
+    """Compares the columns that another program reads with the table, row by row."""
     with duckdb.connect() as database:
         database.execute("SET TimeZone = 'UTC'")
         answer = database.execute(
@@ -163,16 +163,16 @@ def check_columns(parquet: Path, rows: list[dict[str, str]], drone: str) -> None
         assert found["micros"] == (datetime.fromisoformat(row.pop("at")) - EPOCH) // timedelta(microseconds=1)
         assert (found["gps_fix"] is None) == (row.pop("gpsFix") == "")
         for name, text in row.items():
-            value = found["phase" if name == "flight" else snake(name)]
+            value = found["phase" if name == "flight" else snake_case(name)]
             assert text == as_text(name, value, text), f"{name} is {value!r}, not {text!r}"
 
 
-def snake(name: str) -> str:
+def snake_case(name: str) -> str:
     return re.sub("[A-Z]", lambda letter: "_" + letter[0].lower(), name)
 
 
 def as_text(name: str, value: object, text: str) -> str:
-    """As the table writes it, when it is the same."""
+    """A value as text, as the table writes it."""
     if value is None:
         return ""
     if name in {"flight", "link"}:
@@ -187,7 +187,7 @@ def as_text(name: str, value: object, text: str) -> str:
     return str(value)
 
 
-def check_replay(server: Server, api: Api, page: Page, copter: Json, flown: OnTheWire) -> None:
+def check_replay(server: Server, api: Api, page: Page, copter: Json, flown: WirePositions) -> None:
     """Played on the page at ten times its speed, the drone is where it was."""
     name, password = f"viewer-{secrets.token_hex(4)}", secrets.token_hex(10)
     answer = api.call("POST", "/users", {"name": name, "password": password, "role": "viewer"})

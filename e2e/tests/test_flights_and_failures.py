@@ -24,7 +24,7 @@ from .conftest import SYSTEM_IDS
 
 
 @dataclass
-class Aloft:
+class FlyingCopter:
     """A copter in the air, and the flight that is remembered of it."""
 
     server: Server
@@ -34,46 +34,50 @@ class Aloft:
 
 
 @pytest.fixture
-def aloft(killable: Server, tmp_path: Path) -> Iterator[Aloft]:
+def flying_copter(killable_server: Server, tmp_path: Path) -> Iterator[FlyingCopter]:
     system_id = next(SYSTEM_IDS)
     simulator = Simulator(
         tmp_path / "sim.log",
-        f"udp://127.0.0.1:{killable.udp_port}",
+        f"udp://127.0.0.1:{killable_server.udp_port}",
         *("--count", "1", "--sysid", str(system_id)),
         *QUICK_FLIGHT,
     )
     try:
-        api = Api(killable.address, killable.local_key())
+        api = Api(killable_server.address, killable_server.local_key())
         drone = wait_for("the copter is ready", lambda: api.ready(system_id), 90)["id"]
         api.do(drone, type="arm")
         api.do(drone, type="takeOff", altitude=8)
         flight = wait_for("the flight is known", lambda: flight_of(api, drone, "running"), 30)
-        wait_for("telemetry is kept", lambda: kept_until(api, drone), 60)
-        yield Aloft(killable, api, drone, flight)
+        wait_for("telemetry is kept", lambda: stored_until(api, drone), 60)
+        yield FlyingCopter(killable_server, api, drone, flight)
     finally:
         simulator.stop()
 
 
-def test_a_database_that_is_away_costs_counted_telemetry_only_and_no_command(aloft: Aloft) -> None:
+def test_database_outage_loses_only_counted_telemetry(
+    flying_copter: FlyingCopter,
+) -> None:
     """End to end because the PostgreSQL that is killed here, and found again, is a real one."""
-    api, drone = aloft.api, aloft.drone
+    api, drone = flying_copter.api, flying_copter.drone
     begin, dropped = time.time(), api.get("/history")["dropped"]
     far = triangle(api.drone(drone)["home"], side=30)[1]
     go_to = {"type": "goTo", "latitude": far.latitude, "longitude": far.longitude, "altitude": 12}
-    service = soap(aloft.server, aloft.server.local_key(), "RecordService")
+    service = soap(flying_copter.server, flying_copter.server.local_key(), "RecordService")
     before = api.command(drone, go_to)
-    with database_away(aloft.server.data), ThreadPoolExecutor() as at_once:
+    with database_away(flying_copter.server.data), ThreadPoolExecutor() as at_once:
         wait_for("it is said", lambda: api.get("/health")["history"] == "down", 10)
-        flight = at_once.submit(api.call, "GET", f"/flights/{aloft.flight['id']}")
+        flight = at_once.submit(api.call, "GET", f"/flights/{flying_copter.flight['id']}")
         flights = at_once.submit(service.listFlights, drone=drone)
         # Nothing is sent that is not written down first; and it is said at once.
         command = at_once.submit(
-            Api(aloft.server.address, api.key).call, "POST", f"/drones/{drone}/commands", go_to
+            Api(flying_copter.server.address, api.key).call, "POST", f"/drones/{drone}/commands", go_to
         )
         assert flight.result().status_code == 503, flight.result().text
         assert command.result().status_code == 503, command.result().text
         # But whoever flies can be stopped by those who were known before.
-        stop = Api(aloft.server.address, api.key).call("POST", f"/drones/{drone}/commands", {"type": "hold"})
+        stop = Api(flying_copter.server.address, api.key).call(
+            "POST", f"/drones/{drone}/commands", {"type": "hold"}
+        )
         assert stop.status_code in (200, 202), stop.text
         wait_for("it holds", lambda: api.drone(drone)["mode"] == "BRAKE", 20)
         fault = flights.exception()
@@ -81,15 +85,17 @@ def test_a_database_that_is_away_costs_counted_telemetry_only_and_no_command(alo
         away_until = time.time()
 
     wait_for("it is well again", lambda: api.get("/health")["history"] == "up", 30)
-    wait_for("what waited is written", lambda: (kept_until(api, drone) or 0) > away_until, 30)
+    wait_for("what waited is written", lambda: (stored_until(api, drone) or 0) > away_until, 30)
     history = api.get("/history")
-    times = [begin, *kept_times(api, drone, begin)]
+    times = [begin, *stored_times(api, drone, begin)]
     longest = max(after - before for before, after in zip(times, times[1:], strict=False))
     assert longest < 1 or history["dropped"] > dropped, (
         f"{longest:.1f} s are missing, and not counted: {history}"
     )
     assert api.command(drone, go_to)["outcome"]["result"] == "succeeded"
-    wait_for("the command from before is remembered", lambda: remembered(aloft, before["id"]), 30)
+    wait_for(
+        "the command from before is remembered", lambda: command_is_stored(flying_copter, before["id"]), 30
+    )
 
 
 @contextmanager
@@ -119,15 +125,15 @@ def processes_in(data: Path) -> list[int]:
     return found
 
 
-def remembered(aloft: Aloft, command: str) -> bool:
-    events = aloft.api.get(f"/flights/{aloft.flight['id']}/events")["events"]
+def command_is_stored(flying_copter: FlyingCopter, command: str) -> bool:
+    events = flying_copter.api.get(f"/flights/{flying_copter.flight['id']}/events")["events"]
     return any(e["command"] == command and e["result"] == "succeeded" for e in events)
 
 
-def kept_until(api: Api, drone: str) -> float | None:
-    return max(kept_times(api, drone, time.time() - 30), default=None)
+def stored_until(api: Api, drone: str) -> float | None:
+    return max(stored_times(api, drone, time.time() - 30), default=None)
 
 
-def kept_times(api: Api, drone: str, since: float) -> list[float]:
+def stored_times(api: Api, drone: str, since: float) -> list[float]:
     begin = datetime.fromtimestamp(since, UTC).isoformat().replace("+00:00", "Z")
     return [seconds_of(p["at"]) for p in api.get(f"/drones/{drone}/telemetry/points?from={begin}")["points"]]

@@ -13,10 +13,10 @@ import zeep.exceptions
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import Point
+from dronemap_e2e.message_recorder import MessageRecorder
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.soap import soap
-from dronemap_e2e.tap import Tap
 from dronemap_e2e.waiting import rounds, wait_for
 
 SYSTEM_ID = 91
@@ -30,57 +30,57 @@ SETTLED = 15
 
 
 @pytest.fixture
-def simulator(tap: Tap, tmp_path: Path) -> Iterator[Simulator]:
+def simulator(recorder: MessageRecorder, tmp_path: Path) -> Iterator[Simulator]:
     """One copter with a gimbal. It lives as fast as the phone: speeds count."""
     options = ["--count", "1", "--sysid", str(SYSTEM_ID), "--parameter", "MNT1_TYPE=1"]
-    started = Simulator(tmp_path / "sim.log", f"udp://127.0.0.1:{tap.port}", *options)
+    started = Simulator(tmp_path / "sim.log", f"udp://127.0.0.1:{recorder.port}", *options)
     yield started
     started.stop()
 
 
 @pytest.fixture
-def walker(simulator: Simulator, api: Api) -> Json:
+def drone(simulator: Simulator, api: Api) -> Json:
     """The drone that stands ready."""
     return wait_for("the copter is ready", lambda: api.ready(SYSTEM_ID), 90)
 
 
-def gaze(simulator: Simulator) -> float:
-    """How far the camera truly looks above the horizon."""
+def gimbal_pitch(simulator: Simulator) -> float:
+    """Degrees that the camera truly looks above the horizon."""
     return float(simulator.payload(SYSTEM_ID).rpartition("gimbal ")[2])
 
 
-class Phone:
-    """Walks east from a place near the drone's home, and says so once a second."""
+class WalkingPhone:
+    """A phone that walks east from near the drone's home, and sends its position once a second."""
 
     def __init__(self, api: Api, home: Json) -> None:
         self._api = api
         self._home = home
-        self._began = time.time()
-        self._said = 0.0
+        self._started = time.time()
+        self._sent_at = 0.0
         self.follow = ""
 
-    def place(self, at: float, east: float = 0.0) -> Point:
-        metres = WALKS * (at - self._began) + east
+    def position(self, at: float, east: float = 0.0) -> Point:
+        metres = WALKS * (at - self._started) + east
         across = METRES_PER_DEGREE * math.cos(math.radians(self._home["latitude"]))
         latitude = self._home["latitude"] + 15 / METRES_PER_DEGREE
         return Point(latitude, self._home["longitude"] + metres / across, HEIGHT)
 
-    def walk(self) -> None:
+    def send_position(self) -> None:
         now = time.time()
-        if now - self._said < 1:
+        if now - self._sent_at < 1:
             return
-        self._said = now
+        self._sent_at = now
         at = datetime.fromtimestamp(now, UTC).isoformat()
-        here = self.place(now)
+        here = self.position(now)
         position = {"at": at, "latitude": here.latitude, "longitude": here.longitude, "accuracy": 4}
         answer = self._api.call(
             "POST", f"/follows/{self.follow}/positions", {"sent": at, "positions": [position]}
         )
         assert answer.ok, answer.text
 
-    def walks_until(self, state: str, seconds: float) -> Json:
+    def send_positions_until(self, state: str, seconds: float) -> Json:
         def reached() -> Json | None:
-            self.walk()
+            self.send_position()
             seen = self._api.get(f"/follows/{self.follow}")
             return seen if seen["state"] == state else None
 
@@ -88,46 +88,46 @@ class Phone:
 
 
 @pytest.mark.soak
-def test_a_copter_walks_beside_a_phone_and_comes_home(
-    api: Api, tap: Tap, simulator: Simulator, walker: Json
+def test_copter_follows_a_phone_and_returns_home(
+    api: Api, recorder: MessageRecorder, simulator: Simulator, drone: Json
 ) -> None:
-    phone = Phone(api, walker["home"])
-    here = phone.place(time.time())
+    phone = WalkingPhone(api, drone["home"])
+    here = phone.position(time.time())
     order = {
         "latitude": here.latitude,
         "longitude": here.longitude,
-        "drone": walker["id"],
+        "drone": drone["id"],
         "place": {"side": "behind", "distance": DISTANCE, "height": HEIGHT},
     }
     answer = api.call("POST", "/follows", order)
     assert answer.status_code == 201, answer.text
     phone.follow = answer.json()["id"]
     assert api.call("POST", f"/follows/{phone.follow}/start").ok
-    phone.walks_until("tracking", 60)
+    phone.send_positions_until("tracking", 60)
 
     errors = []
     began = time.time()
     for _ in rounds(time.monotonic() + SECONDS, 0.2):
-        phone.walk()
+        phone.send_position()
         now = time.time()
-        message = tap.heard("GLOBAL_POSITION_INT", up=True)[-1].message
+        message = recorder.messages("GLOBAL_POSITION_INT", up=True)[-1].message
         if now - began > SETTLED:
-            wanted = phone.place(now, east=-DISTANCE)
+            wanted = phone.position(now, east=-DISTANCE)
             errors.append(wanted.metres_to(message.lat / 1e7, message.lon / 1e7))
             assert abs(message.relative_alt / 1000 - HEIGHT) < 2
     assert statistics.fmean(errors) < 2, errors
     face = -math.degrees(math.atan2(HEIGHT - FACE, DISTANCE))
-    assert abs(gaze(simulator) - face) < 8, f"{gaze(simulator)} and not {face}"
+    assert abs(gimbal_pitch(simulator) - face) < 8, f"{gimbal_pitch(simulator)} and not {face}"
 
     assert api.call("POST", f"/follows/{phone.follow}/pause").ok
-    phone.walks_until("paused", 5)
+    phone.send_positions_until("paused", 5)
     assert api.call("POST", f"/follows/{phone.follow}/stop").ok
-    over = phone.walks_until("over", 120)
+    over = phone.send_positions_until("over", 120)
     assert "is down" in over["end"], over
-    assert gaze(simulator) == 0, "the camera was not let go"
+    assert gimbal_pitch(simulator) == 0, "the camera was not let go"
 
 
-def test_a_soap_client_of_another_maker_has_a_phone_followed(server: Server, copter: Json) -> None:
+def test_follow_by_zeep_soap_client(server: Server, copter: Json) -> None:
     """End to end because zeep calls and reads answers by the WSDL of the follower service alone."""
     service = soap(server, server.local_key(), "FollowerService")
     home = copter["home"]

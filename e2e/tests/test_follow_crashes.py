@@ -11,15 +11,22 @@ import pytest
 
 from dronemap_e2e.api import Api
 from dronemap_e2e.flight import COPTER_RTL
-from dronemap_e2e.followed import COPTER_LAND, Crowd, Followed, Truth, by_soap, by_stream
+from dronemap_e2e.followed_phones import (
+    COPTER_LAND,
+    FollowedPhone,
+    FollowGroup,
+    ReportedState,
+    stages_by_soap,
+    stages_by_stream,
+)
+from dronemap_e2e.message_recorder import MessageRecorder
 from dronemap_e2e.server import ROOT, Server
 from dronemap_e2e.simulator import Simulator
-from dronemap_e2e.tap import Tap
 from dronemap_e2e.waiting import throughout, wait_for
 
 LOITER = 5
 # Two fields far from each other. Over the first one drones stand for ten minutes without the cloud.
-PATIENT, MISSING = 1, 101
+PATIENT, HOME_ON_LOSS = 1, 101
 ELSEWHERE = "47.4100,8.5456,488"
 # Over its home each waits for so long before it comes down: it is in the air yet when the server is back.
 LOITERS = ("--parameter", "RTL_LOIT_TIME=40000")
@@ -37,21 +44,21 @@ NEAR_METRES = 6.0
 
 @dataclass(frozen=True)
 class Case:
-    """Where a follow is when the server dies, what befalls it meanwhile, and what shall come of it."""
+    """A follow's stage when the server is killed, what happens meanwhile, and the expected stages."""
 
     name: str
     at: str
     stages: tuple[str, ...]
     # One of the sentences that it says afterwards.
-    says: str = ""
-    misses: bool = False
+    message: str = ""
+    home_on_loss: bool = False
     patience: int = LONG
     # Its phone says where it is also when the server is back.
-    speaks: bool = True
+    sends_positions: bool = True
     # Its drone is not heard from before it was started until the server is back.
-    grounded: bool = False
+    silent_before_start: bool = False
     # Into that mode, by the pilot's own switch, while there is no server.
-    switched: int | None = None
+    pilot_mode: int | None = None
 
 
 FOLLOWS_AGAIN = "it follows again"
@@ -67,37 +74,44 @@ CASES = (
         ("tracking", "returning", "over"),
         "said nothing for 20 s",
         patience=SHORT,
-        speaks=False,
+        sends_positions=False,
     ),
     Case("waits", "paused", ("paused",)),
     Case("a pilot's", "suspended", ("suspended",)),
     # A supervisor who does not come back is no plan.
     Case("a supervisor's", "suspended", ("suspended", "over"), "is down; it is over"),
     Case("comes home", "returning", ("returning", "over"), "is down; it is over"),
-    Case("landed", "tracking", ("tracking", "over"), "has landed; it is over", switched=COPTER_LAND),
-    Case("taken", "tracking", ("tracking", "suspended"), "a pilot flies it in LOITER", switched=LOITER),
-    Case("on the ground", "starting", ("starting", "tracking"), UP, grounded=True),
+    Case("landed", "tracking", ("tracking", "over"), "has landed; it is over", pilot_mode=COPTER_LAND),
+    Case("taken", "tracking", ("tracking", "suspended"), "a pilot flies it in LOITER", pilot_mode=LOITER),
+    Case("on the ground", "starting", ("starting", "tracking"), UP, silent_before_start=True),
     Case(
-        "too late", "starting", ("returning", "over"), "came back too late", patience=SHORTEST, grounded=True
+        "too late",
+        "starting",
+        ("returning", "over"),
+        "came back too late",
+        patience=SHORTEST,
+        silent_before_start=True,
     ),
-    Case("missed, climbs", "starting", ("starting", "tracking"), UP, misses=True),
-    Case("missed, follows", "tracking", ("tracking", "starting", "tracking"), FOLLOWS_AGAIN, misses=True),
+    Case("missed, climbs", "starting", ("starting", "tracking"), UP, home_on_loss=True),
+    Case(
+        "missed, follows", "tracking", ("tracking", "starting", "tracking"), FOLLOWS_AGAIN, home_on_loss=True
+    ),
     Case(
         "missed, fell silent",
         "tracking",
         ("tracking", "returning", "over"),
         COMES_HOME,
-        misses=True,
+        home_on_loss=True,
         patience=SHORT,
-        speaks=False,
+        sends_positions=False,
     ),
-    Case("missed, waits", "paused", ("paused", "returning", "over"), COMES_HOME, misses=True),
-    Case("missed, comes home", "returning", ("returning", "over"), "is down; it is over", misses=True),
+    Case("missed, waits", "paused", ("paused", "returning", "over"), COMES_HOME, home_on_loss=True),
+    Case("missed, comes home", "returning", ("returning", "over"), "is down; it is over", home_on_loss=True),
 )
 
 
-def restarted() -> dict[str, str]:
-    """That row of the table: by stage, what comes of it."""
+def documented_outcomes() -> dict[str, str]:
+    """The documented outcomes of a restart, by stage."""
     rows = [
         [cell.strip() for cell in line.strip("|").split("|")]
         for line in (ROOT / "docs" / "following.md").read_text().splitlines()
@@ -108,127 +122,134 @@ def restarted() -> dict[str, str]:
 
 
 @dataclass
-class Trial:
-    """All cases at once: a server that dies, two fields of copters, and a tap that overhears them."""
+class CrashTrial:
+    """All cases at once: a server that dies, two fields of copters, and a recorder of their messages."""
 
     server: Server
-    tap: Tap
+    recorder: MessageRecorder
     fields: dict[bool, Simulator]
     phone_key: str
     supervisor_key: str
-    follows: dict[Case, Followed] = field(default_factory=dict)
+    follows: dict[Case, FollowedPhone] = field(default_factory=dict)
     dead_since: float = 0.0
     # Since when nobody cares for it.
     alone: dict[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.truth = Truth(self.tap)
+        self.reported = ReportedState(self.recorder)
         self.phone = Api(self.server.address, self.phone_key)
 
     @property
-    def crowd(self) -> Crowd:
-        return Crowd(self.follows.values(), self.truth)
+    def group(self) -> FollowGroup:
+        return FollowGroup(self.follows.values(), self.reported)
 
-    def those(self, **wanted: object) -> list[Followed]:
+    def follows_where(self, **wanted: object) -> list[FollowedPhone]:
         return [
             one
             for case, one in self.follows.items()
             if all(getattr(case, name) == value for name, value in wanted.items())
         ]
 
-    def named(self, name: str) -> Followed:
-        (found,) = self.those(name=name)
+    def named(self, name: str) -> FollowedPhone:
+        (found,) = self.follows_where(name=name)
         return found
 
     def stages(self) -> dict[str, str]:
-        seen = self.crowd.seen(self.phone)
+        seen = self.group.follows_by_id(self.phone)
         return {case.name: seen[one.follow]["state"] for case, one in self.follows.items()}
 
-    def all_ask(self) -> None:
-        ids = {misses: iter(range(MISSING if misses else PATIENT, 255)) for misses in (False, True)}
+    def request_follows(self) -> None:
+        ids = {
+            home_on_loss: iter(range(HOME_ON_LOSS if home_on_loss else PATIENT, 255))
+            for home_on_loss in (False, True)
+        }
         for case in CASES:
-            system_id = next(ids[case.misses])
+            system_id = next(ids[case.home_on_loss])
             drone = wait_for("a copter is ready", partial(self.phone.ready, system_id), 90)
-            height = HIGH if case.at == "starting" else LOW if case.switched == COPTER_LAND else HEIGHT
-            self.follows[case] = Followed(system_id, drone, height, case.patience)
-            self.follows[case].ask(self.phone)
+            height = HIGH if case.at == "starting" else LOW if case.pilot_mode == COPTER_LAND else HEIGHT
+            self.follows[case] = FollowedPhone(system_id, drone, height, case.patience)
+            self.follows[case].request_follow(self.phone)
 
-    def bring(self) -> None:
+    def bring_to_stages(self) -> None:
         """Each to where it shall be; last those who climb and who come home, as they do not stay there."""
-        for one in self.those(grounded=True):
-            self.tap.cut.add(one.system_id)
-            one.wish(self.phone, "start")
+        for one in self.follows_where(silent_before_start=True):
+            self.recorder.cut.add(one.system_id)
+            one.request(self.phone, "start")
         fly = [one for case, one in self.follows.items() if case.at not in ("allocated", "starting")]
         for one in fly:
-            one.wish(self.phone, "start")
-        self.reach("all are there", lambda: all(self.truth.metres_to(one, one.place) < 3 for one in fly), 90)
-        for one in self.those(at="paused"):
-            one.wish(self.phone, "pause")
+            one.request(self.phone, "start")
+        self.wait_until(
+            "all are there", lambda: all(self.reported.metres_to(one, one.place) < 3 for one in fly), 90
+        )
+        for one in self.follows_where(at="paused"):
+            one.request(self.phone, "pause")
         self.switch(self.named("a pilot's"), False, LOITER)
-        climb = self.those(at="starting", grounded=False)
+        climb = self.follows_where(at="starting", silent_before_start=False)
         for one in climb:
-            one.wish(self.phone, "start")
-        self.lift(climb)
-        back = self.those(at="returning")
+            one.request(self.phone, "start")
+        self.take_off_all(climb)
+        back = self.follows_where(at="returning")
         for one in back:
-            one.wish(self.phone, "stop")
-        self.reach("they come home", lambda: all(self.truth.mode(one) == COPTER_RTL for one in back), 10)
+            one.request(self.phone, "stop")
+        self.wait_until(
+            "they come home", lambda: all(self.reported.mode(one) == COPTER_RTL for one in back), 10
+        )
         # Who says nothing for six seconds loses it: this one has it when the server dies.
         taken = self.named("a supervisor's").drone["id"]
         answer = Api(self.server.address, self.supervisor_key).call(
             "POST", f"/drones/{taken}/control/take-over", {"reason": "a look"}
         )
         assert answer.ok, answer.text
-        self.reach("all are there", lambda: self.stages() == {c.name: c.at for c in CASES}, 5)
+        self.wait_until("all are there", lambda: self.stages() == {c.name: c.at for c in CASES}, 5)
 
-    def switch(self, one: Followed, misses: bool, mode: int) -> None:
-        self.fields[misses].fault(f"{one.system_id} mode {mode}")
+    def switch(self, one: FollowedPhone, home_on_loss: bool, mode: int) -> None:
+        self.fields[home_on_loss].fault(f"{one.system_id} mode {mode}")
         one.piloted = mode == LOITER
 
-    def lift(self, climb: list[Followed]) -> None:
-        """A take-off is over within a second of leaving the ground, for those who are heard of."""
+    def take_off_all(self, climb: list[FollowedPhone]) -> None:
+        """Takes off; cuts each link once its take-off was commanded, as that stage is over soon."""
 
-        def told() -> bool:
-            self.tap.cut |= {one.system_id for one in climb if self.truth.told_to_take_off(one)}
-            return all(one.system_id in self.tap.cut for one in climb)
+        def commanded() -> bool:
+            self.recorder.cut |= {one.system_id for one in climb if self.reported.take_off_commanded(one)}
+            return all(one.system_id in self.recorder.cut for one in climb)
 
-        wait_for("they are told to take off", told, 30, every=0.05)
-        self.reach("they climb", lambda: all(self.truth.height(one) > 3 for one in climb), 30)
+        wait_for("they are told to take off", commanded, 30, every=0.05)
+        self.wait_until("they climb", lambda: all(self.reported.height(one) > 3 for one in climb), 30)
 
-    def reach(self, what: str, condition: object, seconds: float) -> None:
+    def wait_until(self, what: str, condition: object, seconds: float) -> None:
         assert callable(condition)
         try:
-            self.crowd.until(self.phone, what, condition, seconds)
+            self.group.wait_until(self.phone, what, condition, seconds)
         except AssertionError as wrong:
             raise AssertionError(f"{wrong}: {self.stages()}") from wrong
 
-    def die(self) -> None:
-        """Nobody calls in before it is said so."""
-        self.tap.cut |= {one.system_id for one in self.crowd.everybody}
+    def kill_server(self) -> None:
+        """Kills the server, with all links cut until they are reconnected."""
+        self.recorder.cut |= {one.system_id for one in self.group.phones}
         self.server.kill()
         self.dead_since = time.monotonic()
         for case, one in self.follows.items():
-            if case.switched is not None:
-                self.switch(one, case.misses, case.switched)
-        missing = self.those(misses=True)
-        wait_for("they miss it", lambda: all(self.truth.mode(one) == COPTER_RTL for one in missing), 30)
-        landed = self.those(switched=COPTER_LAND)
-        wait_for("it is down", lambda: not any(self.truth.armed(one) for one in landed), 60)
+            if case.pilot_mode is not None:
+                self.switch(one, case.home_on_loss, case.pilot_mode)
+        missing = self.follows_where(home_on_loss=True)
+        wait_for("they miss it", lambda: all(self.reported.mode(one) == COPTER_RTL for one in missing), 30)
+        landed = self.follows_where(pilot_mode=COPTER_LAND)
+        wait_for("it is down", lambda: not any(self.reported.armed(one) for one in landed), 60)
 
-    def live_again(self) -> None:
+    def restart_server(self) -> None:
         self.server.start()
         self.phone = Api(self.server.address, self.phone_key)
         for case, one in self.follows.items():
-            one.speaks = case.speaks
+            one.sends_positions = case.sends_positions
             one.stages.clear()
 
-    def call_in(self) -> None:
-        for one in self.crowd.everybody:
-            self.tap.cut.discard(one.system_id)
+    def reconnect_vehicles(self) -> None:
+        for one in self.group.phones:
+            self.recorder.cut.discard(one.system_id)
 
-    def settles(self) -> None:
+    def check_settled(self) -> None:
         """Each to where it shall be; all along none is left alone."""
-        drones = {one.drone["id"] for one in self.crowd.everybody}
+        drones = {one.drone["id"] for one in self.group.phones}
 
         def live() -> bool:
             return all(
@@ -236,94 +257,94 @@ class Trial:
             )
 
         def settled() -> bool:
-            now, alone = time.monotonic(), self.crowd.uncared(self.phone)
+            now, alone = time.monotonic(), self.group.unattended(self.phone)
             self.alone = {one: self.alone.get(one, now) for one in alone}
             assert all(now - since < ALONE_SECONDS for since in self.alone.values()), self.alone
             return self.stages() == {case.name: case.stages[-1] for case in CASES}
 
-        self.reach("all have called in", live, 30)
-        self.reach("each is where it shall be", settled, 300)
+        self.wait_until("all have called in", live, 30)
+        self.wait_until("each is where it shall be", settled, 300)
         for case, one in self.follows.items():
             print(f"{case.name}: {' '.join(one.stages)}")
             # What lasts for less than a look may be missed.
             expected = iter(case.stages)
             assert all(stage in expected for stage in one.stages), f"{case.name}: {one.stages}"
-            told = [each["words"] for each in self.phone.get(f"/follows/{one.follow}")["told"]]
-            assert any(case.says in words for words in told), f"{case.name}: {told}"
+            messages = [each["words"] for each in self.phone.get(f"/follows/{one.follow}")["told"]]
+            assert any(case.message in words for words in messages), f"{case.name}: {messages}"
 
-    def is_as_said(self) -> None:
-        """The vehicles themselves say the same."""
+    def check_vehicles(self) -> None:
+        """Checks by the vehicles' own messages that they are where the follows are."""
         for case, one in self.follows.items():
             if case.stages[-1] in ("allocated", "over"):
-                assert not self.truth.armed(one), case.name
+                assert not self.reported.armed(one), case.name
         for name in ("waits", "a pilot's"):
-            strayed = self.truth.strayed(self.named(name), self.dead_since)
+            strayed = self.reported.distance_moved(self.named(name), self.dead_since)
             assert strayed < STRAYS_METRES, f"{name}: {strayed:.1f} m"
-        led = self.those(stages=("tracking",)) + self.those(stages=("starting", "tracking"))
-        led += self.those(stages=("tracking", "starting", "tracking"))
+        led = self.follows_where(stages=("tracking",)) + self.follows_where(stages=("starting", "tracking"))
+        led += self.follows_where(stages=("tracking", "starting", "tracking"))
         for one in led:
             one.east += WALKS_METRES
-        self.reach(
+        self.wait_until(
             "they follow",
-            lambda: all(self.truth.metres_to(one, one.place) < NEAR_METRES for one in led),
+            lambda: all(self.reported.metres_to(one, one.place) < NEAR_METRES for one in led),
             60,
         )
 
-    def ends(self) -> None:
-        """What is stopped comes home, but for those that a pilot has, and all is over."""
-        self.named("kept").wish(self.phone, "cancel")
+    def end_all(self) -> None:
+        """Ends all follows; drones return, except those that a pilot flies."""
+        self.named("kept").request(self.phone, "cancel")
         for case, one in self.follows.items():
             if case.stages[-1] in ("tracking", "paused"):
-                one.wish(self.phone, "stop")
-        piloted = [one for one in self.crowd.everybody if one.piloted]
+                one.request(self.phone, "stop")
+        piloted = [one for one in self.group.phones if one.piloted]
         for one in piloted:
-            one.wish(self.phone, "stop")
-        self.reach("all is over", lambda: set(self.stages().values()) == {"over"}, 180)
-        for one in self.crowd.everybody:
-            assert self.truth.armed(one) == one.piloted, one.system_id
-        assert all(self.truth.mode(one) == LOITER for one in piloted)
+            one.request(self.phone, "stop")
+        self.wait_until("all is over", lambda: set(self.stages().values()) == {"over"}, 180)
+        for one in self.group.phones:
+            assert self.reported.armed(one) == one.piloted, one.system_id
+        assert all(self.reported.mode(one) == LOITER for one in piloted)
 
-    def faces(self) -> list[dict[str, str]]:
+    def stages_by_interface(self) -> list[dict[str, str]]:
         ids = {one.follow: case.name for case, one in self.follows.items()}
         return [
             self.stages(),
             *(
                 {ids[follow]: state for follow, state in face(self.server, self.phone_key, ids).items()}
-                for face in (by_soap, by_stream)
+                for face in (stages_by_soap, stages_by_stream)
             ),
         ]
 
 
 @pytest.fixture
-def trial(own_server: Server, tmp_path: Path) -> Iterator[Trial]:
+def trial(own_server: Server, tmp_path: Path) -> Iterator[CrashTrial]:
     api = Api(own_server.address, own_server.local_key())
     keys = api.new_key("phone", "operator"), api.new_key("desk", "supervisor")
-    with closing(Tap(own_server.udp_port, Truth.KINDS)) as tap:
-        address = f"udp://127.0.0.1:{tap.port}"
+    with closing(MessageRecorder(own_server.udp_port, ReportedState.KINDS)) as recorder:
+        address = f"udp://127.0.0.1:{recorder.port}"
         fields = {}
-        for misses, first in ((False, PATIENT), (True, MISSING)):
-            count = str(sum(case.misses == misses for case in CASES))
+        for home_on_loss, first in ((False, PATIENT), (True, HOME_ON_LOSS)):
+            count = str(sum(case.home_on_loss == home_on_loss for case in CASES))
             options = ("--count", count, "--sysid", str(first), *LOITERS)
-            more = ("--home", ELSEWHERE) if misses else ("--parameter", "FS_GCS_TIMEOUT=600")
-            fields[misses] = Simulator(tmp_path / f"sim-{first}.log", address, *options, *more)
-        yield Trial(own_server, tap, fields, *keys)
+            more = ("--home", ELSEWHERE) if home_on_loss else ("--parameter", "FS_GCS_TIMEOUT=600")
+            fields[home_on_loss] = Simulator(tmp_path / f"sim-{first}.log", address, *options, *more)
+        yield CrashTrial(own_server, recorder, fields, *keys)
         for simulator in fields.values():
             simulator.stop()
 
 
 @pytest.mark.soak
-def test_what_comes_of_each_follow_when_the_server_dies_is_as_written(trial: Trial) -> None:
-    trial.all_ask()
-    trial.bring()
-    trial.die()
-    trial.live_again()
+def test_follows_after_server_crash_match_documentation(trial: CrashTrial) -> None:
+    trial.request_follows()
+    trial.bring_to_stages()
+    trial.kill_server()
+    trial.restart_server()
 
-    table = restarted()
+    table = documented_outcomes()
     row = {case.name: case.stages[0] if case.name == "too late" else table[case.at] for case in CASES}
-    assert trial.faces() == [row] * 3
+    assert trial.stages_by_interface() == [row] * 3
     throughout("nothing is decided on who has not called in", lambda: trial.stages() == row, 3)
 
-    trial.call_in()
-    trial.settles()
-    trial.is_as_said()
-    trial.ends()
+    trial.reconnect_vehicles()
+    trial.check_settled()
+    trial.check_vehicles()
+    trial.end_all()

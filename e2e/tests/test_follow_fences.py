@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from dronemap_e2e.chase import Chase
-from dronemap_e2e.chase_judge import judged
+from dronemap_e2e.follow_judge import judged
+from dronemap_e2e.follow_trial import FollowTrial
 
 # "3-9": these rounds; ten times twenty follows by default.
 SEEDS = os.environ.get("DRONEMAP_TRIAL_SEEDS", "1-10")
@@ -27,7 +27,7 @@ def straight(east: float, north: float, up: float, until: float = 10) -> list[li
     return [[n / 4, east, north + n / 4, up, up] for n in range(int(until * 4) + 1)]
 
 
-def test_the_judge_sees_who_goes_beyond() -> None:
+def test_follow_judge_finds_each_violation() -> None:
     """Of the judge alone: it starts nothing."""
     truth = {
         "inside": [-50, -50, 50, 50],
@@ -54,17 +54,19 @@ def test_the_judge_sees_who_goes_beyond() -> None:
 
 
 @pytest.fixture
-def chase(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[Chase]:
+def follow_trial(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[FollowTrial]:
     seed: int = request.param
-    opened = Chase(tmp_path, seed, FOLLOWS, wind=seed % 9)
+    opened = FollowTrial(tmp_path, seed, FOLLOWS, wind=seed % 9)
     yield opened
     opened.close()
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("chase", seeds(), indirect=True)
-def test_twenty_follows_at_once_keep_within_fences_above_the_lowest_height_and_apart(chase: Chase) -> None:
-    found = chase.fly(SECONDS)
+@pytest.mark.parametrize("follow_trial", seeds(), indirect=True)
+def test_twenty_follows_keep_fences_height_and_separation(
+    follow_trial: FollowTrial,
+) -> None:
+    found = follow_trial.fly(SECONDS)
     print(found)
     assert found["vehicles"] == FOLLOWS, found
     # A vehicle that loses five heartbeats in a row, as one in ten is lost, comes home by itself.

@@ -10,14 +10,14 @@ import pytest
 from playwright.sync_api import Browser, Error, Playwright, expect
 
 from dronemap_e2e.api import Api, Json
+from dronemap_e2e.certificates import NAME, make_certificate, trust_certificate
 from dronemap_e2e.flight import Point
 from dronemap_e2e.ports import free_port
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.station import Touch, launch
-from dronemap_e2e.trust import NAME, make_certificate, trust
 from dronemap_e2e.waiting import wait_for
-from dronemap_e2e.walker import Walker, beside, phone, picture, sign_in
+from dronemap_e2e.walker import Walker, beside, open_phone_page, picture, sign_in
 
 SYSTEM_ID = 77
 STEADY = 4
@@ -26,12 +26,12 @@ STEADY = 4
 RESOLVE = f"--host-resolver-rules=MAP {NAME} 127.0.0.1"
 
 
-def test_a_page_by_plain_http_says_what_to_do_and_has_the_demo(
+def test_page_by_plain_http_explains_tls_and_offers_demo(
     server: Server, api: Api, playwright: Playwright, copter: Json
 ) -> None:
     """End to end because a browser is what withholds the place of a phone."""
     browser = launch(playwright, RESOLVE)
-    page = phone(browser)
+    page = open_phone_page(browser)
     sign_in(page, f"http://{NAME}:{server.http_port}/follow", api)
     explains = page.get_by_role("alert")
     expect(explains).to_contain_text("not encrypted")
@@ -45,7 +45,7 @@ def test_a_page_by_plain_http_says_what_to_do_and_has_the_demo(
 
 
 @dataclass
-class Machine:
+class TlsServer:
     """A server that speaks TLS with a certificate of its own, and a copter that is ready."""
 
     server: Server
@@ -55,7 +55,7 @@ class Machine:
 
 
 @pytest.fixture(scope="module")
-def machine(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Machine]:
+def tls_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[TlsServer]:
     folder = tmp_path_factory.mktemp("machine")
     port = free_port()
     settings = make_certificate(folder) | {"DRONEMAP_PHONE_PORT": str(port)}
@@ -67,7 +67,7 @@ def machine(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Machine]:
     simulator = Simulator(folder / "sim.log", address, *arguments)
     try:
         drone = wait_for("the copter is ready", lambda: api.ready(SYSTEM_ID), 90)
-        yield Machine(server, api, f"http://{NAME}:{port}/", drone)
+        yield TlsServer(server, api, f"http://{NAME}:{port}/", drone)
     finally:
         simulator.stop()
         server.stop()
@@ -75,17 +75,17 @@ def machine(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Machine]:
 
 @pytest.fixture(scope="module")
 def browser(
-    machine: Machine, playwright: Playwright, tmp_path_factory: pytest.TempPathFactory
+    tls_server: TlsServer, playwright: Playwright, tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[Browser]:
     """One that trusts the machine since somebody went through the steps of its page for phones."""
     home = tmp_path_factory.mktemp("home")
     stranger = launch(playwright, RESOLVE, home=home)
-    page = phone(stranger)
-    page.goto(machine.door)
+    page = open_phone_page(stranger)
+    page.goto(tls_server.door)
     expect(page.get_by_role("heading", level=1)).to_contain_text("this phone first")
     picture(page, "follow-door")
     link = page.get_by_role("link", name=re.compile("follow$")).get_attribute("href")
-    assert link == f"https://{NAME}:{machine.server.http_port}/follow"
+    assert link == f"https://{NAME}:{tls_server.server.http_port}/follow"
     with page.expect_download() as download:
         page.get_by_role("link", name="Download the certificate").tap()
     certificate = home / download.value.suggested_filename
@@ -96,7 +96,7 @@ def browser(
         page.goto(link)
     stranger.close()
 
-    trust(home, certificate)
+    trust_certificate(home, certificate)
     trusting = launch(playwright, RESOLVE, home=home)
     yield trusting
     trusting.close()
@@ -107,37 +107,37 @@ def fingerprint_of(certificate: Path) -> str:
     return ":".join(digest[i : i + 2] for i in range(0, len(digest), 2))
 
 
-def away(machine: Machine, place: Point) -> float:
-    position = machine.api.drone(machine.drone["id"])["position"]
+def metres_away(tls_server: TlsServer, place: Point) -> float:
+    position = tls_server.api.drone(tls_server.drone["id"])["position"]
     return place.metres_to(position["latitude"], position["longitude"])
 
 
-def test_a_drone_follows_a_phone_over_tls(machine: Machine, browser: Browser) -> None:
+def test_drone_follows_a_phone_over_tls(tls_server: TlsServer, browser: Browser) -> None:
     """End to end because a browser trusts the certificate, and tells where the phone is."""
-    home = machine.drone["home"]
-    page = phone(browser, beside(home, Walker.east, Walker.north))
+    home = tls_server.drone["home"]
+    page = open_phone_page(browser, beside(home, Walker.east, Walker.north))
     walker = Walker(page, home)
-    sign_in(page, f"https://{NAME}:{machine.server.http_port}/follow", machine.api)
+    sign_in(page, f"https://{NAME}:{tls_server.server.http_port}/follow", tls_server.api)
     assert page.evaluate("isSecureContext")
 
     expect(page.get_by_text("You are on the map, to 4 m.")).to_be_visible()
     page.get_by_role("button", name="Ask for a drone").tap()
     expect(page.get_by_role("alert").filter(has_text="The warehouse has no drone")).to_be_visible()
-    page.get_by_role("combobox", name=re.compile("^Drone")).select_option(machine.drone["id"])
+    page.get_by_role("combobox", name=re.compile("^Drone")).select_option(tls_server.drone["id"])
     picture(page, "follow-ask")
     page.get_by_role("button", name="Ask for a drone").tap()
-    walker.stands_until("Ready to start")
-    expect(page.get_by_text(f"Why {machine.drone['name']}?")).to_be_visible()
+    walker.wait_for_heading("Ready to start")
+    expect(page.get_by_text(f"Why {tls_server.drone['name']}?")).to_be_visible()
     picture(page, "follow-ready")
 
     Touch().hold(page, page.get_by_role("button", name="Start", exact=True))
-    walker.stands_until("Taking off")
+    walker.wait_for_heading("Taking off")
     picture(page, "follow-taking-off")
-    walker.stands_until("Following you", 60)
+    walker.wait_for_heading("Following you", 60)
 
     def near() -> bool:
         walker.step(0.5)
-        return away(machine, walker.place) < 12
+        return metres_away(tls_server, walker.place) < 12
 
     wait_for("the drone has come", near, 60)
     begun = walker.north
@@ -154,47 +154,47 @@ def test_a_drone_follows_a_phone_over_tls(machine: Machine, browser: Browser) ->
     expect(page.get_by_role("heading", name="No network", exact=True)).to_be_hidden()
     wait_for("the drone is near again", near, 60)
 
-    closed_and_opened(machine, walker)
+    check_reopened_page(tls_server, walker)
 
     page = walker.page
     page.get_by_role("button", name="Pause", exact=True).tap()
-    walker.stands_until("Paused")
+    walker.wait_for_heading("Paused")
     picture(page, "follow-paused")
     Touch().hold(page, page.get_by_role("button", name="Stop and fly home"))
-    walker.stands_until("Flying home")
+    walker.wait_for_heading("Flying home")
     picture(page, "follow-returning")
 
 
-def closed_and_opened(machine: Machine, walker: Walker) -> None:
+def check_reopened_page(tls_server: TlsServer, walker: Walker) -> None:
     address = walker.page.url
-    (follow,) = machine.api.get("/follows")["follows"]
+    (follow,) = tls_server.api.get("/follows")["follows"]
 
     def seen() -> Json:
-        found: Json = machine.api.get(f"/follows/{follow['id']}")
+        found: Json = tls_server.api.get(f"/follows/{follow['id']}")
         return found
 
     def missed() -> str | None:
         note: str = seen()["note"] or ""
         return note if note.startswith("The phone") else None
 
-    heard = 0
+    times_received = 0
 
-    def speaks() -> bool:
+    def is_received() -> bool:
         """A page that the cloud does not hear yet again is cut off when it is closed; and what it said by its
         connection of before counts for 2.5 s."""
-        nonlocal heard
+        nonlocal times_received
         walker.step()
-        heard = heard + 1 if seen()["now"]["reach"] == "speaks" else 0
-        return heard > STEADY / 0.1
+        times_received = times_received + 1 if seen()["now"]["reach"] == "speaks" else 0
+        return times_received > STEADY / 0.1
 
-    wait_for("the cloud hears the page", speaks, 30)
+    wait_for("the cloud hears the page", is_received, 30)
     walker.page.close()
     note = wait_for("the cloud knows that the page is closed", missed, 20)
     assert note.startswith("The phone's page was closed")
     assert seen()["state"] == "tracking"
     walker.page = walker.context.new_page()
     walker.page.goto(address)
-    walker.reads("This page was closed for", "Now it follows you again.")
+    walker.wait_for_line("This page was closed for", "Now it follows you again.")
     picture(walker.page, "follow-back")
 
     def follows() -> bool:

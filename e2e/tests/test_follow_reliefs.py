@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from dronemap_e2e.relay import Relay, longest
+from dronemap_e2e.relief_trial import ReliefTrial, longest
 
 SEEDS = os.environ.get("DRONEMAP_TRIAL_SEEDS", "1-1")
 PHONES = 10
@@ -22,7 +22,7 @@ def seeds() -> range:
     return range(int(first), int(last or first) + 1)
 
 
-def test_who_is_far_away_for_long_is_told_from_who_soon_comes_back() -> None:
+def test_longest_time_beyond_distance_is_counted() -> None:
     """Of the judge alone: it starts nothing."""
     assert longest([10, 60, 60, 10, 60], 50) == 2
     assert longest([10, math.inf, 60, 60], 50) == 3
@@ -30,23 +30,23 @@ def test_who_is_far_away_for_long_is_told_from_who_soon_comes_back() -> None:
 
 
 @pytest.fixture
-def relay(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[Relay]:
+def relief_trial(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[ReliefTrial]:
     seed: int = request.param
-    opened = Relay(tmp_path, seed, PHONES)
+    opened = ReliefTrial(tmp_path, seed, PHONES)
     yield opened
     opened.close()
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("relay", seeds(), indirect=True)
-def test_ten_drones_that_run_low_are_replaced_without_losing_anybody(relay: Relay) -> None:
-    found = relay.fly(LONGEST_SECONDS, AFTER_SECONDS)
+@pytest.mark.parametrize("relief_trial", seeds(), indirect=True)
+def test_ten_low_battery_drones_are_relieved_without_losing_a_phone(relief_trial: ReliefTrial) -> None:
+    found = relief_trial.fly(LONGEST_SECONDS, AFTER_SECONDS)
     print(found)
     assert found["vehicles"] == 2 * PHONES, found
-    for seen in relay.seen:
+    for seen in relief_trial.seen:
         assert seen.states == {"tracking"}, seen
-        assert any("comes to replace it" in words for words in seen.told), seen
-        assert any("has taken over" in words for words in seen.told), seen
+        assert any("comes to replace it" in words for words in seen.messages), seen
+        assert any("has taken over" in words for words in seen.messages), seen
     assert max(found["farthest"]) < math.inf, found
     assert max(found["longest"]) <= BACK_SECONDS, found
     assert found["apart"]["left"] > 0, found

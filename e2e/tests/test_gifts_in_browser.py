@@ -10,7 +10,7 @@ from playwright.sync_api import Browser, Page, ViewportSize, expect
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.screen import DESK, PHONE, also_at, open_page
 from dronemap_e2e.server import Server
-from dronemap_e2e.station import Hands, Pointer, Station, Touch
+from dronemap_e2e.station import InputMethod, Pointer, Station, Touch
 
 PATIENCE = 30_000
 
@@ -23,9 +23,16 @@ def picture(page: Page, name: str) -> None:
         page.screenshot(path=Path(folder) / f"{name}.png", full_page=True)
 
 
-@pytest.mark.parametrize(("viewport", "hands"), [(DESK, Pointer()), (PHONE, Touch())], ids=["desk", "phone"])
-def test_a_drone_is_given_away_and_taken_back(
-    server: Server, api: Api, copter: Json, browser: Browser, viewport: ViewportSize, hands: Hands
+@pytest.mark.parametrize(
+    ("viewport", "input_method"), [(DESK, Pointer()), (PHONE, Touch())], ids=["desk", "phone"]
+)
+def test_drone_gift_and_its_return(
+    server: Server,
+    api: Api,
+    copter: Json,
+    browser: Browser,
+    viewport: ViewportSize,
+    input_method: InputMethod,
 ) -> None:
     """End to end because the list of what was given follows what the page itself does."""
     chief, password, name = f"chief-{secrets.token_hex(4)}", secrets.token_hex(10), secrets.token_hex(4)
@@ -33,10 +40,10 @@ def test_a_drone_is_given_away_and_taken_back(
     assert answer.status_code == 201, answer.text
     answer = api.call("POST", "/organisations", {"name": f"Rescue {name}"})
     assert answer.status_code == 201, answer.text
-    station = Station(open_page(browser, viewport, touch=isinstance(hands, Touch)), hands)
+    station = Station(open_page(browser, viewport, touch=isinstance(input_method, Touch)), input_method)
     page = station.page
     station.sign_in(server.address, chief, password, secrets.token_hex(10))
-    hands.press(page, page.get_by_role("button", name=f"Account of {chief}"))
+    input_method.press(page, page.get_by_role("button", name=f"Account of {chief}"))
     station.press("Administration")
 
     # The card opens by itself, as there is one.
@@ -49,7 +56,7 @@ def test_a_drone_is_given_away_and_taken_back(
     give = card.get_by_role("button", name="Give it away")
     also_at(page, PHONE if viewport == DESK else DESK, give)
     picture(page, f"gifts-1-{viewport['width']}")
-    hands.press(page, give)
+    input_method.press(page, give)
     given = card.get_by_role("list", name=f"Drones given to Rescue {name}")
     expect(given).to_contain_text(copter["name"], timeout=PATIENCE)
     expect(given).to_contain_text("with what it did before")
@@ -57,7 +64,7 @@ def test_a_drone_is_given_away_and_taken_back(
     assert copter["id"] not in [drone["id"] for drone in api.drones()]
     picture(page, f"gifts-2-{viewport['width']}")
 
-    hands.hold(page, given.get_by_role("button", name="Take back"))
+    input_method.hold(page, given.get_by_role("button", name="Take back"))
     expect(given).to_have_count(0, timeout=PATIENCE)
     assert copter["id"] in [drone["id"] for drone in api.drones()]
     page.context.close()

@@ -1,4 +1,4 @@
-"""What is granted and taken back on the page takes effect on an open stream; at desk and phone."""
+"""Grants and revocations on the page take effect on an open stream; at desk and phone."""
 
 import json
 import secrets
@@ -12,13 +12,13 @@ from websockets.sync.client import ClientConnection, connect
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.screen import DESK, PHONE, open_page
 from dronemap_e2e.server import Server
-from dronemap_e2e.station import Hands, Pointer, Station, Touch
+from dronemap_e2e.station import InputMethod, Pointer, Station, Touch
 
 PATIENCE = 30_000
 SECONDS = 30
 
 
-def heard(stream: ClientConnection, kind: str, drone: str) -> None:
+def wait_for_message(stream: ClientConnection, kind: str, drone: str) -> None:
     """Waits for a message of that kind about that drone."""
     deadline = time.monotonic() + SECONDS
     while time.monotonic() < deadline:
@@ -28,7 +28,7 @@ def heard(stream: ClientConnection, kind: str, drone: str) -> None:
     raise AssertionError(f"no {kind} of {drone} within {SECONDS} s")
 
 
-def silent(stream: ClientConnection, drone: str, seconds: float) -> None:
+def assert_nothing_received(stream: ClientConnection, drone: str, seconds: float) -> None:
     """Nothing that names that drone comes."""
     deadline = time.monotonic() + seconds
     while (left := deadline - time.monotonic()) > 0:
@@ -38,11 +38,11 @@ def silent(stream: ClientConnection, drone: str, seconds: float) -> None:
             return
 
 
-class Desk(NamedTuple):
-    """An administrator's page with its card of grants, and the hands before it."""
+class GrantsPage(NamedTuple):
+    """An administrator's page with its card of grants, and its input method."""
 
     page: Page
-    hands: Hands
+    input_method: InputMethod
 
     @property
     def card(self) -> Locator:
@@ -55,23 +55,23 @@ class Desk(NamedTuple):
         self.card.get_by_label("Whom").select_option(user)
         self.card.get_by_label("With which drones").select_option("only some")
         self.card.get_by_label(drone).check()
-        self.hands.press(self.page, self.card.get_by_role("button", name="Grant", exact=True))
+        self.input_method.press(self.page, self.card.get_by_role("button", name="Grant", exact=True))
 
-    def take_back(self, user: str) -> None:
-        self.hands.hold(self.page, self.row(user).get_by_role("button", name="Take back"))
+    def revoke(self, user: str) -> None:
+        self.input_method.hold(self.page, self.row(user).get_by_role("button", name="Take back"))
 
 
-def administration(
+def open_grants_page(
     server: Server, browser: Browser, chief: tuple[str, str, str], size: ViewportSize, touch: bool
-) -> Desk:
+) -> GrantsPage:
     station = Station(open_page(browser, size, touch), Touch() if touch else Pointer())
     station.sign_in(server.address, *chief)
     station.press(f"Account of {chief[0]}")
     station.press("Administration")
-    return Desk(station.page, Touch() if touch else Pointer())
+    return GrantsPage(station.page, Touch() if touch else Pointer())
 
 
-def administrator(api: Api) -> tuple[str, str, str]:
+def create_administrator(api: Api) -> tuple[str, str, str]:
     """Name, first password and own one."""
     name, password = f"administrator-{secrets.token_hex(4)}", secrets.token_hex(10)
     body = {"name": name, "password": password, "role": "administrator"}
@@ -79,8 +79,8 @@ def administrator(api: Api) -> tuple[str, str, str]:
     return name, password, secrets.token_hex(10)
 
 
-def operator(server: Server, api: Api) -> tuple[str, str]:
-    """Who sees only what is granted: name and key."""
+def granted_operator(server: Server, api: Api) -> tuple[str, str]:
+    """An operator who sees only what is granted: name and key."""
     ann, first, own = f"operator-{secrets.token_hex(4)}", secrets.token_hex(10), secrets.token_hex(10)
     body = {"name": ann, "password": first, "role": "operator"}
     assert api.call("POST", "/users", body).status_code == 201
@@ -91,30 +91,30 @@ def operator(server: Server, api: Api) -> tuple[str, str]:
     return ann, session.new_key("watch", "operator")
 
 
-def test_a_grant_shows_a_drone_and_taking_it_back_silences_the_open_stream(
+def test_granting_and_revoking_takes_effect_on_open_stream(
     server: Server, api: Api, copter: Json, browser: Browser
 ) -> None:
     """End to end because administrators do it on the page, at a desk and on a phone."""
-    ann, key = operator(server, api)
+    ann, key = granted_operator(server, api)
     headers = {"Authorization": f"Bearer {key}"}
     stream_address = f"ws://127.0.0.1:{server.stream_port}/stream"
     for size, touch in ((DESK, False), (PHONE, True)):
-        desk = administration(server, browser, administrator(api), size, touch)
-        expect(desk.card.get_by_text("Sees no drone: nothing is granted.").first).to_be_visible()
+        grants_page = open_grants_page(server, browser, create_administrator(api), size, touch)
+        expect(grants_page.card.get_by_text("Sees no drone: nothing is granted.").first).to_be_visible()
         # Without a bound: what nobody reads any more would keep its end waiting for as long as that may take.
         with connect(stream_address, additional_headers=headers, max_queue=None) as stream:
-            silent(stream, copter["id"], 1)
-            desk.grant(ann, copter["name"])
-            heard(stream, "drone", copter["id"])
-            expect(desk.row(ann)).to_contain_text(copter["name"])
-            desk.take_back(ann)
-            heard(stream, "droneRemoved", copter["id"])
-            silent(stream, copter["id"], 2)
-            expect(desk.row(ann)).to_contain_text("Sees no drone", timeout=PATIENCE)
+            assert_nothing_received(stream, copter["id"], 1)
+            grants_page.grant(ann, copter["name"])
+            wait_for_message(stream, "drone", copter["id"])
+            expect(grants_page.row(ann)).to_contain_text(copter["name"])
+            grants_page.revoke(ann)
+            wait_for_message(stream, "droneRemoved", copter["id"])
+            assert_nothing_received(stream, copter["id"], 2)
+            expect(grants_page.row(ann)).to_contain_text("Sees no drone", timeout=PATIENCE)
         answer = Api(server.address, key).call("GET", f"/drones/{copter['id']}")
         assert answer.status_code == 404, answer.text
         assert answer.json()["detail"] == f"There is no drone {copter['id']}."
-        desk.page.context.close()
+        grants_page.page.context.close()
 
 
 ROUNDS = 60
@@ -122,9 +122,7 @@ MOST_SECONDS = 1.0
 
 
 @pytest.mark.soak
-def test_a_grant_taken_back_silences_the_open_stream_within_a_second_each_time(
-    server: Server, api: Api, copter: Json
-) -> None:
+def test_revoked_grant_ends_stream_messages_within_a_second(server: Server, api: Api, copter: Json) -> None:
     name, password = f"pilot-{secrets.token_hex(4)}", secrets.token_hex(10)
     body = {"name": name, "password": password, "role": "operator"}
     assert api.call("POST", "/users", body).status_code == 201
@@ -138,13 +136,13 @@ def test_a_grant_taken_back_silences_the_open_stream_within_a_second_each_time(
         for _ in range(ROUNDS):
             answer = api.call("POST", "/grants", {"user": name, "drones": [copter["id"]]} | view)
             assert answer.status_code == 201, answer.text
-            heard(stream, "drone", copter["id"])
+            wait_for_message(stream, "drone", copter["id"])
             asked = time.monotonic()
             assert api.call("DELETE", f"/grants/{answer.json()['id']}").status_code == 204
-            heard(stream, "droneRemoved", copter["id"])
+            wait_for_message(stream, "droneRemoved", copter["id"])
             delays.append(time.monotonic() - asked)
             # It talks several times a second, so that whatever still came would come by then.
-            silent(stream, copter["id"], 0.5)
+            assert_nothing_received(stream, copter["id"], 0.5)
     delays.sort()
     print(
         f"{ROUNDS} grants taken back: half within {delays[ROUNDS // 2]:.3f} s, all within {delays[-1]:.3f} s"

@@ -12,10 +12,10 @@ from pathlib import Path
 import pytest
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.big_trial import place
+from dronemap_e2e.big_trial import to_degrees
 from dronemap_e2e.heartbeats import HeartbeatGaps
-from dronemap_e2e.impairer import Impairer, Weather
-from dronemap_e2e.runs import ended, known, planned, stages
+from dronemap_e2e.impairer import Impairer, LinkConditions
+from dronemap_e2e.runs import create_plan, ready_drone, run_if_over, stages
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.waiting import wait_for
@@ -28,7 +28,7 @@ WAYPOINTS = 9
 # The simulator's field: as many rows as columns.
 SIDE = 6
 GUSTY_WIND = 6
-LOSSY = Weather(delay=0.03, jitter=0.02, loss=0.1)
+LOSSY = LinkConditions(delay=0.03, jitter=0.02, loss=0.1)
 # What a run says of a drone that it does not count on any more, or not for all that it was to do.
 DOUBTS = {
     *("lost", "gone", "crashed", "lowBattery", "wentHome", "cameDown", "removed"),
@@ -54,7 +54,7 @@ class Field:
     def waypoints(self, drones: list[Json], chance: random.Random) -> list[Json]:
         home = drones[0]["home"]
         return [
-            place(home, chance.uniform(-25, 145), chance.uniform(-22, 22))
+            to_degrees(home, chance.uniform(-25, 145), chance.uniform(-22, 22))
             | {
                 "altitude": home["altitudeAmsl"] + chance.choice([15, 20, 25]),
                 "altitudeReference": "amsl",
@@ -89,19 +89,19 @@ def sets_of_three() -> list[list[int]]:
 
 @pytest.mark.soak
 @pytest.mark.parametrize("field", seeds(), indirect=True, ids=str)
-def test_nobody_is_given_up_for_gusts_gaps_between_heartbeats_and_lost_messages(field: Field) -> None:
+def test_no_drone_is_given_up_for_gusts_heartbeat_gaps_or_losses(field: Field) -> None:
     api, chance = field.api, random.Random(field.seed)
     drones = {
-        system_id: wait_for("all is known", partial(known, api, system_id), 180)
+        system_id: wait_for("all is known", partial(ready_drone, api, system_id), 180)
         for three in sets_of_three()
         for system_id in three
     }
-    field.link.weather = LOSSY
-    field.link.withholds = field.gaps.withholds
+    field.link.conditions = LOSSY
+    field.link.drops = field.gaps.drops
     runs = {}
     for three in sets_of_three():
         fleet = [drones[system_id] for system_id in three]
-        plan = planned(api, fleet, field.waypoints(fleet, chance))
+        plan = create_plan(api, fleet, field.waypoints(fleet, chance))
         asked = {"plan": plan, "onCloudLoss": chance.choice(["rtl", "continue"]), "searchSeconds": 1}
         started = api.call("POST", "/runs", asked)
         assert started.status_code == 201, started.text
@@ -109,12 +109,12 @@ def test_nobody_is_given_up_for_gusts_gaps_between_heartbeats_and_lost_messages(
 
     wrong = []
     for run, (three, since) in runs.items():
-        over = wait_for(f"{run} is over", partial(ended, api, run), 600, every=1)
+        over = wait_for(f"{run} is over", partial(run_if_over, api, run), 600, every=1)
         gaps = [sum(at > since for at in field.gaps.gaps.get(system_id, [])) for system_id in three]
         (field.folder / f"run-{three[0]}.json").write_text(json.dumps(over, indent=1))
         assert all(gaps), f"no gap between heartbeats: {gaps}"
-        told = [one["words"] for one in over["explanations"] if one["trigger"] in DOUBTS]
-        if told or set(stages(over).values()) != {"landed"} or over["counts"]["visited"] != WAYPOINTS:
-            wrong.append((run, stages(over), over["counts"], told))
-    assert field.link.lost > field.link.carried / 20
+        doubts = [one["words"] for one in over["explanations"] if one["trigger"] in DOUBTS]
+        if doubts or set(stages(over).values()) != {"landed"} or over["counts"]["visited"] != WAYPOINTS:
+            wrong.append((run, stages(over), over["counts"], doubts))
+    assert field.link.lost > field.link.forwarded / 20
     assert not wrong, "\n".join(map(str, wrong))

@@ -9,7 +9,7 @@ import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.peer import OBEDIENT, Peer, with_hardware
+from dronemap_e2e.peer import STANDARD_HANDLERS, Peer, reporting_hardware
 from dronemap_e2e.server import Server
 from dronemap_e2e.waiting import rounds, wait_for
 
@@ -27,7 +27,11 @@ def make_peer() -> Iterator[MakePeer]:
     peers: list[Peer] = []
 
     def make(server: Server, uid: int | None, system_id: int | None = None, tcp: bool = False) -> Peer:
-        handlers = OBEDIENT if uid is None else {**OBEDIENT, "COMMAND_LONG": with_hardware(uid)}
+        handlers = (
+            STANDARD_HANDLERS
+            if uid is None
+            else {**STANDARD_HANDLERS, "COMMAND_LONG": reporting_hardware(uid)}
+        )
         port = server.tcp_port if tcp else server.udp_port
         peers.append(Peer(port, system_id=system_id or next(SYSTEM_IDS), handlers=handlers, tcp=tcp))
         return peers[-1]
@@ -45,7 +49,7 @@ def drones_of(api: Api, system_id: int) -> list[Json]:
     return [d for d in api.drones() if d["link"]["systemId"] == system_id]
 
 
-def the_live_one(api: Api, peer: Peer) -> Json:
+def live_drone(api: Api, peer: Peer) -> Json:
     def find() -> Json | None:
         found = [d for d in drones_of(api, peer.link.srcSystem) if d["link"]["state"] == "live"]
         return found[0] if found else None
@@ -53,14 +57,14 @@ def the_live_one(api: Api, peer: Peer) -> Json:
     return wait_for("the peer is listed", find, 20)
 
 
-def told_to_act(messages: list[Any]) -> list[Any]:
-    """What went to a peer beyond the question who it is."""
+def action_commands(messages: list[Any]) -> list[Any]:
+    """Messages to a peer other than requests for its identity."""
     return [m for m in messages if m.get_type() != "COMMAND_LONG" or m.command not in QUESTIONS]
 
 
-def fly_from_place_to_place(api: Api, peer: Peer, seconds: float, every: float) -> None:
-    drone = the_live_one(api, peer)["id"]
-    left: list[Peer.Forwarding] = []
+def move_and_arm(api: Api, peer: Peer, seconds: float, every: float) -> None:
+    drone = live_drone(api, peer)["id"]
+    left: list[Peer.FormerAddress] = []
     try:
         end = time.monotonic() + seconds
         next_move = time.monotonic() + 1
@@ -83,9 +87,11 @@ def fly_from_place_to_place(api: Api, peer: Peer, seconds: float, every: float) 
     assert len(left) >= 2
     for place in left:
         too_late = [m for when, m in place.late if when > LATEST_TO_AN_OLD_ADDRESS]
-        assert not told_to_act(too_late), too_late
+        assert not action_commands(too_late), too_late
 
 
 @pytest.mark.soak
-def test_a_vehicle_changes_its_address_for_two_minutes(server: Server, api: Api, make_peer: MakePeer) -> None:
-    fly_from_place_to_place(api, make_peer(server, new_uid()), seconds=120, every=10)
+def test_vehicle_stays_one_drone_while_its_address_changes(
+    server: Server, api: Api, make_peer: MakePeer
+) -> None:
+    move_and_arm(api, make_peer(server, new_uid()), seconds=120, every=10)

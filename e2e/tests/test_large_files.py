@@ -26,7 +26,7 @@ PIECE_BYTES = 64 * 1024
 
 
 @dataclass(frozen=True)
-class Recorded:
+class RecordedDrone:
     """A server with a small heap, and a recording of 100 MB that it has."""
 
     server: Server
@@ -40,7 +40,7 @@ class Recorded:
 
 
 @pytest.fixture(scope="module")
-def recorded(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Recorded]:
+def recorded(tmp_path_factory: pytest.TempPathFactory) -> Iterator[RecordedDrone]:
     folder = tmp_path_factory.mktemp("large")
     # It waits so long for the rest of what it has refused.
     server = Server(folder / "data", heap=HEAP, DRONEMAP_SLOW_CLIENT_SECONDS="2")
@@ -58,7 +58,7 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Recorded]:
     with file.open("ab") as longer:
         while longer.tell() < FILE_BYTES:
             longer.write(flight)
-    yield Recorded(server, api, recording, file)
+    yield RecordedDrone(server, api, recording, file)
     server.stop()
 
 
@@ -80,7 +80,7 @@ def _pieces(file: Path) -> Iterator[bytes]:
             yield piece
 
 
-def test_rest_gives_a_large_recording_whole(recorded: Recorded) -> None:
+def test_rest_download_of_large_recording(recorded: RecordedDrone) -> None:
     """End to end because the heap is that of a process of its own, which one download would fill."""
     address = f"{recorded.api.base}/recordings/{recorded.id}/file"
     key = {"Authorization": f"Bearer {recorded.api.key}"}
@@ -95,7 +95,7 @@ def test_rest_gives_a_large_recording_whole(recorded: Recorded) -> None:
     assert recorded.is_well()
 
 
-def test_soap_says_where_a_large_recording_is(recorded: Recorded) -> None:
+def test_soap_refers_to_rest_for_large_recording(recorded: RecordedDrone) -> None:
     """End to end because the heap is that of a process of its own, which one such message would fill."""
     service = soap(recorded.server, recorded.server.local_key(), "RecordService")
     with pytest.raises(zeep.exceptions.Fault) as raised:
@@ -107,7 +107,7 @@ def test_soap_says_where_a_large_recording_is(recorded: Recorded) -> None:
     assert recorded.is_well()
 
 
-def test_rest_plays_a_large_recording(recorded: Recorded) -> None:
+def test_replay_of_large_recording(recorded: RecordedDrone) -> None:
     """End to end because the heap is that of a process of its own, which the file would fill."""
     answer = requests.post(
         f"{recorded.api.base}/replays",
@@ -127,9 +127,7 @@ def test_rest_plays_a_large_recording(recorded: Recorded) -> None:
         ("/api/v1/zones/import", "application/json"),
     ],
 )
-def test_what_is_too_long_is_refused_before_it_is_all_there(
-    recorded: Recorded, address: str, kind: str
-) -> None:
+def test_too_long_upload_is_refused_early(recorded: RecordedDrone, address: str, kind: str) -> None:
     """End to end because the heap is that of a process of its own, and its socket says when it has enough."""
     status, text, sent = _upload(recorded, address, kind)
     assert status == 413
@@ -138,7 +136,7 @@ def test_what_is_too_long_is_refused_before_it_is_all_there(
     assert recorded.is_well()
 
 
-def _upload(recorded: Recorded, address: str, kind: str) -> tuple[int, str, int]:
+def _upload(recorded: RecordedDrone, address: str, kind: str) -> tuple[int, str, int]:
     """Sends until there is an answer: status, body and how many bytes were sent."""
     connection = http.client.HTTPConnection("127.0.0.1", recorded.server.http_port, timeout=60)
     connection.putrequest("POST", address)

@@ -12,14 +12,14 @@ from dronemap_e2e.waiting import throughout, wait_for
 STANDSTILL_SECONDS = 10
 
 
-def stands_still(server: Server) -> bool:
-    """Stopped, as /proc tells it behind the name in parentheses."""
+def paused(server: Server) -> bool:
+    """True if the process is stopped, by its state in /proc."""
     return Path(f"/proc/{server.pid}/stat").read_text().rpartition(") ")[2].startswith("T")
 
 
-def test_nobody_is_called_lost_while_the_server_itself_stood_still(killable: Server) -> None:
+def test_server_pause_does_not_mark_vehicles_lost(killable_server: Server) -> None:
     """End to end because only a process that is stopped stands still with all of its threads."""
-    server = killable
+    server = killable_server
     peers = [Peer(server.udp_port, system_id=220 + i) for i in range(4)]
     peers += [Peer(server.tcp_port, system_id=230, tcp=True)]
     try:
@@ -34,9 +34,9 @@ def test_nobody_is_called_lost_while_the_server_itself_stood_still(killable: Ser
 
         wait_for("all are live", all_live, 30)
         os.kill(server.pid, signal.SIGSTOP)
-        wait_for("the server stands still", lambda: stands_still(server), 10)
+        wait_for("the server stands still", lambda: paused(server), 10)
         # Ten seconds by the clock are the thing tested: twice the silence after which a drone is called lost.
-        throughout("the server stands still", lambda: stands_still(server), STANDSTILL_SECONDS)
+        throughout("the server stands still", lambda: paused(server), STANDSTILL_SECONDS)
         os.kill(server.pid, signal.SIGCONT)
 
         def nobody_lost() -> bool:

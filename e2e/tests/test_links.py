@@ -7,8 +7,8 @@ import pytest
 import requests
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.carriers import Bridge, OpenSsl
 from dronemap_e2e.dtls import DtlsClient, HandshakeError
+from dronemap_e2e.frame_links import Bridge, OpenSslDtlsLink
 from dronemap_e2e.ports import free_port
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import QUICK_FLIGHT, Simulator
@@ -36,11 +36,11 @@ def _altitude(api: Api, drone: str) -> float:
     return altitude
 
 
-def test_openssl_carries_a_flight_on_an_endpoint_and_a_key_that_outlive_the_server(
-    killable: Server, tmp_path: Path
+def test_flight_by_openssl_dtls_on_persistent_endpoint_and_key(
+    killable_server: Server, tmp_path: Path
 ) -> None:
     """End to end because OpenSSL is another program, and a restart one of the process with its database."""
-    api = Api(killable.address, killable.local_key())
+    api = Api(killable_server.address, killable_server.local_key())
     made = api.call("POST", "/dtls-keys", {"label": "OpenSSL copter"})
     assert made.status_code == 201, made.text
     key = made.json()
@@ -49,14 +49,14 @@ def test_openssl_carries_a_flight_on_an_endpoint_and_a_key_that_outlive_the_serv
     added = api.call("POST", "/endpoints", {"url": url})
     assert added.status_code == 201, added.text
     path = f"/endpoints/{added.json()['id']}"
-    killable.stop()
-    killable.start()
+    killable_server.stop()
+    killable_server.start()
 
-    api = Api(killable.address, killable.local_key())
+    api = Api(killable_server.address, killable_server.local_key())
     opened = api.get(path)
     assert (opened["url"], opened["state"], opened["origin"]) == (url, "open", "added")
     system_id = next(SYSTEM_IDS)
-    bridge = Bridge(OpenSsl(port, key["identity"], key["secret"], tmp_path / "openssl.log"))
+    bridge = Bridge(OpenSslDtlsLink(port, key["identity"], key["secret"], tmp_path / "openssl.log"))
     simulator = Simulator(
         tmp_path / "sim.log",
         f"udp://127.0.0.1:{bridge.port}",
@@ -67,7 +67,7 @@ def test_openssl_carries_a_flight_on_an_endpoint_and_a_key_that_outlive_the_serv
         drone = wait_for("the copter is ready to arm", lambda: api.ready(system_id), 90)
         fly(api, drone["id"])
         assert api.drone(drone["id"])["link"]["transport"] == "dtls"
-        check_counters(killable, api, api.get(path), drone)
+        check_counters(killable_server, api, api.get(path), drone)
         assert [p["identity"] for p in api.get(path)["peers"]] == [key["identity"]]
     finally:
         simulator.stop()

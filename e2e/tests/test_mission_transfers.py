@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.impairer import BAD, CLEAR, Impairer
-from dronemap_e2e.plugged import PluggedStation
+from dronemap_e2e.direct_station import DirectStation
+from dronemap_e2e.impairer import BAD, UNIMPAIRED, Impairer
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.waiting import wait_for
@@ -19,12 +19,12 @@ HOME = (47.3977, 8.5456)
 
 
 @dataclass(frozen=True)
-class Bench:
+class VehicleUnderTest:
     """One simulated vehicle behind a link that a test may spoil, with a station plugged into it."""
 
     api: Api
     link: Impairer
-    station: PluggedStation
+    station: DirectStation
     drone: str
 
     def begin_upload(self, items: list[Json]) -> str:
@@ -36,14 +36,16 @@ class Bench:
         return command
 
     def holds(self, items: list[Json]) -> bool:
-        """Whether the vehicle itself has these waypoints in this order, whatever stands before them."""
+        """True if the vehicle itself has these waypoints in this order, whatever stands before them."""
         held = [(i.x, i.y, round(i.z)) for i in self.station.mission()]
         sent = [(round(i["latitude"] * 1e7), round(i["longitude"] * 1e7), i["altitude"]) for i in items]
         return held[-len(sent) :] == sent
 
 
 @pytest.fixture(params=["arducopter", "px4"])
-def bench(request: pytest.FixtureRequest, server: Server, api: Api, tmp_path: Path) -> Iterator[Bench]:
+def vehicle(
+    request: pytest.FixtureRequest, server: Server, api: Api, tmp_path: Path
+) -> Iterator[VehicleUnderTest]:
     system_id = next(SYSTEM_IDS)
     link = Impairer(server.udp_port, seed=system_id)
     simulator = Simulator(
@@ -51,9 +53,9 @@ def bench(request: pytest.FixtureRequest, server: Server, api: Api, tmp_path: Pa
         f"udp://127.0.0.1:{link.port}",
         *("--sysid", str(system_id), "--personality", request.param),
     )
-    station = PluggedStation(link, system_id)
+    station = DirectStation(link, system_id)
     drone = wait_for("the vehicle is ready", lambda: api.ready(system_id), 90)["id"]
-    yield Bench(api, link, station, drone)
+    yield VehicleUnderTest(api, link, station, drone)
     simulator.stop()
     link.close()
 
@@ -72,12 +74,12 @@ def waypoints(count: int, seed: int = 0) -> list[Json]:
 
 @pytest.mark.soak
 @pytest.mark.parametrize(("count", "seconds"), [(200, 1800)], ids=["200 items"])
-def test_a_mission_goes_up_a_bad_link(bench: Bench, count: int, seconds: float) -> None:
+def test_mission_upload_over_bad_link(vehicle: VehicleUnderTest, count: int, seconds: float) -> None:
     items = waypoints(count)
-    bench.link.weather = BAD
+    vehicle.link.conditions = BAD
 
-    outcome = bench.api.ended(bench.begin_upload(items), seconds)["outcome"]
+    outcome = vehicle.api.ended(vehicle.begin_upload(items), seconds)["outcome"]
 
     assert outcome["result"] == "succeeded", outcome
-    bench.link.weather = CLEAR
-    assert bench.holds(items)
+    vehicle.link.conditions = UNIMPAIRED
+    assert vehicle.holds(items)

@@ -20,7 +20,7 @@ MODES = {
 }
 
 
-def test_the_table_of_modes_has_pymavlinks_names() -> None:
+def test_mode_table_has_pymavlink_names() -> None:
     """End to end because pymavlink itself must say which modes it knows and what it calls them."""
     table: dict[tuple[int, int], dict[int, str]] = {}
     for line in TABLE.read_text(encoding="ascii").splitlines():

@@ -13,8 +13,8 @@ import zeep.transports
 from requests import Session
 
 from dronemap_e2e.api import Api
-from dronemap_e2e.carriers import Bridge, WebSocketCaller
 from dronemap_e2e.flight import Point
+from dronemap_e2e.frame_links import Bridge, WebSocketLink
 from dronemap_e2e.ports import own_host
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import QUICK_FLIGHT, Simulator
@@ -29,7 +29,7 @@ APPLICATIONS = "10500/ApplicationsService"
 ROBOTS = "7070/RSOLinkCloudManagementService"
 
 
-class Script:
+class OriginalProgram:
     """Somebody's program: it knows a host, addresses as they were printed, names of operations, and a key."""
 
     def __init__(self, host: str, key: str | None) -> None:
@@ -60,7 +60,7 @@ class Script:
 
 
 @dataclass(frozen=True)
-class Site:
+class OriginalServer:
     """A server at the original addresses, with a copter at each of the two for vehicles."""
 
     server: Server
@@ -68,15 +68,15 @@ class Site:
     simulators: dict[int, Simulator]
 
     @property
-    def script(self) -> Script:
-        return Script(self.server.host, self.key)
+    def program(self) -> OriginalProgram:
+        return OriginalProgram(self.server.host, self.key)
 
     def place(self, system_id: int) -> Point:
         return Point(*self.simulators[system_id].place(system_id))
 
 
 @pytest.fixture(scope="module")
-def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Site]:
+def original_server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[OriginalServer]:
     folder, host = tmp_path_factory.mktemp("original"), own_host()
     server = Server(
         folder / "data",
@@ -86,13 +86,13 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Site]:
     )
     server.start()
     key = Api(server.address, server.local_key()).new_key("a script of 2017", "operator")
-    bridge = Bridge(WebSocketCaller(8080, host, "/websockets/mavlink"))
+    bridge = Bridge(WebSocketLink(8080, host, "/websockets/mavlink"))
     links = {BY_UDP: f"udp://{host}:14550", BY_WEB_SOCKET: f"udp://127.0.0.1:{bridge.port}"}
     simulators = {
         system_id: Simulator(folder / f"{system_id}.log", link, "--sysid", str(system_id), *QUICK_FLIGHT)
         for system_id, link in links.items()
     }
-    yield Site(server, key, simulators)
+    yield OriginalServer(server, key, simulators)
     for simulator in simulators.values():
         simulator.stop()
     bridge.close()
@@ -111,15 +111,15 @@ def do(call: Any, **arguments: object) -> None:
 
 
 @pytest.mark.parametrize("system_id", [BY_UDP, BY_WEB_SOCKET])
-def test_a_script_flies_a_drone(site: Site, system_id: int) -> None:
+def test_original_program_flies_a_drone(original_server: OriginalServer, system_id: int) -> None:
     """End to end because zeep, which knows only those addresses, flies what joined at those of vehicles."""
-    controller = site.script.controller
-    drone = wait_for("a drone is listed", lambda: site.script.ready(system_id), PATIENCE)
-    start = site.place(system_id)
+    controller = original_server.program.controller
+    drone = wait_for("a drone is listed", lambda: original_server.program.ready(system_id), PATIENCE)
+    start = original_server.place(system_id)
     do(controller.arm, droneId=drone.id)
-    assert site.simulators[system_id].armed(system_id)
+    assert original_server.simulators[system_id].armed(system_id)
     do(controller.takeoff, droneId=drone.id, altitude=TAKE_OFF_METERS)
-    wait_for("it is up", lambda: site.place(system_id).altitude > TAKE_OFF_METERS - 1, PATIENCE)
+    wait_for("it is up", lambda: original_server.place(system_id).altitude > TAKE_OFF_METERS - 1, PATIENCE)
 
     there = Point(start.latitude + 20 / METERS_PER_DEGREE, start.longitude, 15.0)
     do(
@@ -129,12 +129,12 @@ def test_a_script_flies_a_drone(site: Site, system_id: int) -> None:
         longitude=there.longitude,
         altitude=there.altitude,
     )
-    wait_for("it is there", lambda: _is_at(site.place(system_id), there), PATIENCE)
-    wait_for("it is seen there", lambda: _is_at(site.script.seen(drone.id), there), PATIENCE)
+    wait_for("it is there", lambda: _is_at(original_server.place(system_id), there), PATIENCE)
+    wait_for("it is seen there", lambda: _is_at(original_server.program.seen(drone.id), there), PATIENCE)
 
     do(controller.land, droneId=drone.id)
-    wait_for("its motors stop", lambda: not site.simulators[system_id].armed(system_id), PATIENCE)
-    down = site.place(system_id)
+    wait_for("its motors stop", lambda: not original_server.simulators[system_id].armed(system_id), PATIENCE)
+    down = original_server.place(system_id)
     assert abs(down.altitude) < 0.5
     assert there.metres_to(down.latitude, down.longitude) < 3
 
@@ -144,53 +144,55 @@ def _is_at(here: Point, there: Point) -> bool:
     return near and abs(here.altitude - there.altitude) < 1
 
 
-def test_a_script_asks_for_a_drone_that_follows(site: Site) -> None:
+def test_original_program_requests_a_follow(original_server: OriginalServer) -> None:
     """End to end because zeep, which knows nothing but that address, reads each answer by its WSDL."""
-    script = site.script
-    drone = wait_for("a drone is listed", lambda: script.ready(BY_UDP), PATIENCE)
-    phone = site.place(BY_UDP)
+    program = original_server.program
+    drone = wait_for("a drone is listed", lambda: program.ready(BY_UDP), PATIENCE)
+    phone = original_server.place(BY_UDP)
     near = {"latitude": phone.latitude + 30 / METERS_PER_DEGREE, "longitude": phone.longitude}
 
-    asked = script.applications.followRequest(drone=drone.id, **near)
+    asked = program.applications.followRequest(drone=drone.id, **near)
     assert asked.state == "allocated", asked
     now = datetime.now(UTC)
     positions = {"item": [{"at": now, "accuracy": 4, **near}]}
-    script.applications.sendNewGPSLocation(followId=asked.id, sent=now, positions=positions)
-    assert [f.id for f in script.applications.getFollowsList()["item"]] == [asked.id]
-    assert script.applications.cancelFollowRequest(followId=asked.id).state == "over"
-    assert not site.simulators[BY_UDP].armed(BY_UDP)
+    program.applications.sendNewGPSLocation(followId=asked.id, sent=now, positions=positions)
+    assert [f.id for f in program.applications.getFollowsList()["item"]] == [asked.id]
+    assert program.applications.cancelFollowRequest(followId=asked.id).state == "over"
+    assert not original_server.simulators[BY_UDP].armed(BY_UDP)
 
 
-def test_a_script_is_told_what_is_wrong(site: Site) -> None:
+def test_original_program_gets_soap_faults(original_server: OriginalServer) -> None:
     """End to end because zeep, which knows nothing but those addresses, reads faults by their WSDLs."""
-    script = site.script
-    drone = wait_for("a drone is listed", lambda: script.ready(BY_UDP), PATIENCE)
-    high = fault(script.controller.takeoff, droneId=drone.id, altitude=9000)
+    program = original_server.program
+    drone = wait_for("a drone is listed", lambda: program.ready(BY_UDP), PATIENCE)
+    high = fault(program.controller.takeoff, droneId=drone.id, altitude=9000)
     assert "altitude" in high.message and "1 to 500 m" in high.message
     assert high.code.endswith(":Client")
-    assert "nosuchdrone" in fault(script.controller.arm, droneId="nosuchdrone").message
-    assert "latitude" in fault(script.applications.followRequest, latitude=95, longitude=8).message
-    assert "administrator" in fault(script.robots.listEndpoints).message
+    assert "nosuchdrone" in fault(program.controller.arm, droneId="nosuchdrone").message
+    assert "latitude" in fault(program.applications.followRequest, latitude=95, longitude=8).message
+    assert "administrator" in fault(program.robots.listEndpoints).message
 
-    stranger = Script(site.server.host, None)
+    stranger = OriginalProgram(original_server.server.host, None)
     for call in (stranger.controller.getDronesList, stranger.applications.getFollowsList):
         assert "key" in fault(call).message
     assert "key" in fault(stranger.controller.arm, droneId=drone.id).message
-    assert not site.simulators[BY_UDP].armed(BY_UDP)
+    assert not original_server.simulators[BY_UDP].armed(BY_UDP)
 
 
-def test_a_script_of_the_administrator_lists_the_ways_for_vehicles(site: Site) -> None:
+def test_original_program_lists_endpoints(original_server: OriginalServer) -> None:
     """End to end because zeep, which knows nothing but that address, reads the answer by its WSDL."""
-    listed = Script(site.server.host, site.server.local_key()).robots.listEndpoints()["item"]
-    host = site.server.host
+    listed = OriginalProgram(
+        original_server.server.host, original_server.server.local_key()
+    ).robots.listEndpoints()["item"]
+    host = original_server.server.host
     ways = {(f"udpserver://{host}:14550", "open"), (f"wsserver://{host}:8080", "open")}
     assert {(e.url, e.state) for e in listed} >= ways
 
 
-def test_rest_is_where_it_was_and_nothing_else_at_these_ports(site: Site) -> None:
+def test_original_ports_serve_rest_and_nothing_else(original_server: OriginalServer) -> None:
     """End to end because each of these ports is a socket of its own, of a server as it ships."""
-    key = {"Authorization": f"Bearer {site.key}"}
-    host = f"http://{site.server.host}"
+    key = {"Authorization": f"Bearer {original_server.key}"}
+    host = f"http://{original_server.server.host}"
     drones = requests.get(f"{host}:6060/api/v1/drones", headers=key, timeout=10)
     assert {drone["link"]["systemId"] for drone in drones.json()["drones"]} == {BY_UDP, BY_WEB_SOCKET}
     assert requests.get(f"{host}:6060/api/v1/drones", timeout=10).status_code == 401

@@ -9,11 +9,11 @@ import pytest
 from dronemap_e2e import sitl
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import items, triangle
-from dronemap_e2e.peer import OBEDIENT, Kind, Peer
+from dronemap_e2e.message_recorder import MessageRecorder
+from dronemap_e2e.peer import STANDARD_HANDLERS, Kind, Peer
 from dronemap_e2e.px4_peer import Px4Peer
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import QUICK_FLIGHT, Simulator
-from dronemap_e2e.tap import Tap
 from dronemap_e2e.waiting import wait_for
 
 HEIGHT = 8.0
@@ -58,7 +58,7 @@ def fly(api: Api, drone: Json, patience: float = 1.0) -> None:
     assert above_home() < 1
 
 
-def test_a_px4_of_our_own_that_takes_only_px4s_ways_flies(server: Server, api: Api) -> None:
+def test_pymavlink_px4_flies_by_px4_commands(server: Server, api: Api) -> None:
     """End to end because the vehicle is made of pymavlink, by other hands than the simulator is."""
     px4 = Px4Peer(server.udp_port, system_id=154)
     try:
@@ -76,11 +76,11 @@ def test_a_px4_of_our_own_that_takes_only_px4s_ways_flies(server: Server, api: A
         px4.close()
 
 
-def test_a_peer_may_come_by_tcp_and_by_mavlink_1(server: Server, api: Api) -> None:
+def test_peer_by_tcp_and_mavlink_1(server: Server, api: Api) -> None:
     """End to end because pymavlink makes the frames of MAVLink 1, and another program's socket the pieces."""
     for tcp, version in ((True, 2), (False, 1)):
         port = server.tcp_port if tcp else server.udp_port
-        peer = Peer(port, system_id=155, kind=Kind(version=version), handlers=OBEDIENT, tcp=tcp)
+        peer = Peer(port, system_id=155, kind=Kind(version=version), handlers=STANDARD_HANDLERS, tcp=tcp)
         try:
             drone = wait_for("the peer is listed", partial(listed, api, peer))
             api.do(drone["id"], type="arm")
@@ -95,7 +95,7 @@ def listed(api: Api, peer: Peer) -> Json | None:
     return next(found, None)
 
 
-def test_tcp_carries_a_flight(server: Server, api: Api, tmp_path: Path) -> None:
+def test_flight_over_tcp(server: Server, api: Api, tmp_path: Path) -> None:
     """End to end because only sockets of two processes show that a stream of bytes carries a flight."""
     simulator = Simulator(
         tmp_path / "sim.log", f"tcp://127.0.0.1:{server.tcp_port}", "--sysid", "152", *QUICK_FLIGHT
@@ -109,12 +109,12 @@ def test_tcp_carries_a_flight(server: Server, api: Api, tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(sitl.BINARY is None, reason="DRONEMAP_SITL_ARDUCOPTER names no ArduCopter binary")
-def test_a_real_autopilot_flies_the_same_flight(api: Api, tap: Tap, tmp_path: Path) -> None:
+def test_flight_with_real_autopilot(api: Api, recorder: MessageRecorder, tmp_path: Path) -> None:
     """End to end because ArduCopter itself flies."""
-    autopilot = sitl.ArduCopter(tmp_path / "sitl", tap.port, 153, "47.3977,8.5456,488,0")
+    autopilot = sitl.ArduCopter(tmp_path / "sitl", recorder.port, 153, "47.3977,8.5456,488,0")
     try:
         drone = wait_for("it is ready", lambda: api.ready(153), 120)
-        wait_for("it may fly", lambda: sitl.may_fly(api, drone["id"]), 90, every=3)
+        wait_for("it may fly", lambda: sitl.arms_and_enters_guided(api, drone["id"]), 90, every=3)
         fly(api, drone, patience=3)
     finally:
         autopilot.close()

@@ -7,9 +7,9 @@ import pytest
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.carriers import WebSocketCaller
 from dronemap_e2e.dtls import DtlsClient, HandshakeError
-from dronemap_e2e.ground import Attach, User, new_user
+from dronemap_e2e.frame_links import WebSocketLink
+from dronemap_e2e.ground_station import Attach, User, new_user
 from dronemap_e2e.server import Server
 from dronemap_e2e.signing_peer import now_ticks
 from dronemap_e2e.simulator import Simulator
@@ -22,7 +22,9 @@ def viewer(server: Server, api: Api) -> User:
 
 
 @pytest.fixture(scope="module")
-def twins(server: Server, api: Api, tmp_path_factory: pytest.TempPathFactory) -> Iterator[list[Json]]:
+def same_id_copters(
+    server: Server, api: Api, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[list[Json]]:
     """Two copters that both call themselves system 1."""
     folder = tmp_path_factory.mktemp("twins")
     before = {d["id"] for d in api.drones()}
@@ -44,7 +46,9 @@ def twins(server: Server, api: Api, tmp_path_factory: pytest.TempPathFactory) ->
         simulator.stop()
 
 
-def hear_both(twins: list[Json], user: User, client: DtlsClient | WebSocketCaller) -> None:
+def wait_for_both_heartbeats(
+    same_id_copters: list[Json], user: User, client: DtlsClient | WebSocketLink
+) -> None:
     """Attaches by what carries frames, and waits for the vehicles' heartbeats."""
     writer = mavlink.MAVLink(None, srcSystem=250, srcComponent=190)
     writer.signing.secret_key = hashlib.sha256(user.passphrase.encode()).digest()
@@ -52,30 +56,30 @@ def hear_both(twins: list[Json], user: User, client: DtlsClient | WebSocketCalle
     writer.signing.timestamp = now_ticks()
     client.send(bytes(writer.heartbeat_encode(6, 8, 0, 0, 4).pack(writer)))
     reader = mavlink.MAVLink(None)
-    heard: set[int] = set()
+    system_ids: set[int] = set()
 
     def both() -> bool:
         frames = reader.parse_buffer(client.receive()) or []
-        heard.update(m.get_srcSystem() for m in frames if m.get_type() == "HEARTBEAT")
-        return len(heard - {254, 255}) >= len(twins)
+        system_ids.update(m.get_srcSystem() for m in frames if m.get_type() == "HEARTBEAT")
+        return len(system_ids - {254, 255}) >= len(same_id_copters)
 
     wait_for("both are heard", both, 20, 0.001)
     client.close()
 
 
-def test_a_client_attaches_by_udp_tcp_web_socket_and_dtls_and_every_frame_is_signed(
-    twins: list[Json], server: Server, attach: Attach, viewer: User
+def test_clients_attach_by_udp_tcp_websocket_and_dtls_with_signed_frames(
+    same_id_copters: list[Json], server: Server, attach: Attach, viewer: User
 ) -> None:
     """End to end because real sockets carry it, OpenSSL shakes hands, and pymavlink judges the signatures."""
     for tcp in (False, True):
         ground = attach(viewer, tcp=tcp)
-        both = ground.wait_vehicles(len(twins))
-        assert {m.get_srcSystem() for m in ground.messages} <= both
-        assert all(m.get_signed() for m in ground.messages)
+        both = ground.wait_vehicles(len(same_id_copters))
+        assert {m.get_srcSystem() for m in ground.all_messages} <= both
+        assert all(m.get_signed() for m in ground.all_messages)
         assert ground.link.mav.signing.badsig_count == 0
         assert [ground.gaps(number) for number in both] == [0] * len(both)
         ground.close()
-    hear_both(twins, viewer, WebSocketCaller(server.outlet_web_socket_port))
+    wait_for_both_heartbeats(same_id_copters, viewer, WebSocketLink(server.outlet_web_socket_port))
 
     # By DTLS with the user's own key alone.
     key = hashlib.sha256(viewer.passphrase.encode()).digest()
@@ -84,4 +88,6 @@ def test_a_client_attaches_by_udp_tcp_web_socket_and_dtls_and_every_frame_is_sig
         DtlsClient(outlet, viewer.name, key, timeout=2)
     with pytest.raises(HandshakeError):
         DtlsClient(outlet, "nobody", hashlib.sha256(key).digest(), timeout=2)
-    hear_both(twins, viewer, DtlsClient(outlet, viewer.name, hashlib.sha256(key).digest()))
+    wait_for_both_heartbeats(
+        same_id_copters, viewer, DtlsClient(outlet, viewer.name, hashlib.sha256(key).digest())
+    )

@@ -7,7 +7,7 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from dronemap_e2e.api import Api
-from dronemap_e2e.ground import Ground
+from dronemap_e2e.ground_station import GroundStation
 from dronemap_e2e.screen import open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.station import Pointer, Station
@@ -20,7 +20,7 @@ def page(browser: Browser) -> Iterator[Page]:
     opened.context.close()
 
 
-def test_a_program_attaches_with_a_passphrase_of_the_page_and_is_disconnected_there(
+def test_client_attaches_with_passphrase_from_page_and_is_disconnected_there(
     server: Server, api: Api, page: Page
 ) -> None:
     """End to end because it is about a page in a browser, and pymavlink signs with what is shown there."""
@@ -42,13 +42,13 @@ def test_a_program_attaches_with_a_passphrase_of_the_page_and_is_disconnected_th
     scrolls = "document.documentElement.scrollHeight > innerHeight"
     assert not page.evaluate(scrolls), "what is hidden for the eye makes the page longer than the window"
 
-    ground = Ground(f"udpout:127.0.0.1:{server.outlet_udp_port}", passphrase)
+    ground = GroundStation(f"udpout:127.0.0.1:{server.outlet_udp_port}", passphrase)
     try:
         attached = page.get_by_role("region", name="Attached ground stations").get_by_role("listitem")
         mine = attached.filter(has_text=name)
         expect(mine).to_contain_text("messages/s to it", timeout=10_000)
         expect(mine).not_to_contain_text(", 0/s from it", timeout=10_000)
-        station.hands.hold(page, mine.get_by_role("button"))
+        station.input_method.hold(page, mine.get_by_role("button"))
         expect(mine).to_have_count(0, timeout=10_000)
         clients = api.get("/outlet/clients")["clients"]
         assert name not in {client["user"] for client in clients}

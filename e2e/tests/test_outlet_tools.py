@@ -16,7 +16,7 @@ from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from dronemap_e2e.api import Api
 from dronemap_e2e.copter import PARAMETERS, Copter, ids
-from dronemap_e2e.ground import Ground, User, granted
+from dronemap_e2e.ground_station import GroundStation, User, granted
 from dronemap_e2e.mavproxy import Mavproxy
 from dronemap_e2e.ports import free_port
 from dronemap_e2e.server import ROOT, Server
@@ -35,7 +35,7 @@ def pilot(server: Server, api: Api, copters: list[Copter]) -> Iterator[User]:
 
 
 @pytest.fixture
-def sign(server: Server, tmp_path: Path) -> Iterator[Sign]:
+def signing_relay(server: Server, tmp_path: Path) -> Iterator[Sign]:
     """Starts a signer towards a port at which a tool listens."""
     started: list[subprocess.Popen[bytes]] = []
 
@@ -74,11 +74,11 @@ def flown_over_the_outlet(api: Api, copters: list[Copter], user: User) -> list[s
     return [{c["type"] for c in commands} for commands in own]
 
 
-def test_mavsdk_behind_the_signer_reads_writes_and_flies_two_vehicles_of_one_system_id(
-    api: Api, copters: list[Copter], pilot: User, sign: Sign
+def test_mavsdk_through_signing_relay_with_two_vehicles_of_one_system_id(
+    api: Api, copters: list[Copter], pilot: User, signing_relay: Sign
 ) -> None:
     """End to end because MAVSDK and the signer are foreign programs."""
-    port = sign(pilot)
+    port = signing_relay(pilot)
     ended = subprocess.run(
         [sys.executable, "-m", "dronemap_e2e.mavsdk_pilot", f"udpin://127.0.0.1:{port}", str(len(copters))],
         cwd=ROOT / "e2e",
@@ -94,58 +94,58 @@ def test_mavsdk_behind_the_signer_reads_writes_and_flies_two_vehicles_of_one_sys
     for commands in flown_over_the_outlet(api, copters, pilot):
         assert {"arm", "takeOff", "land"} <= commands
     for copter in copters:
-        assert len(copter.tap.heard("PARAM_REQUEST_LIST", up=False)) <= 1
+        assert len(copter.recorder.messages("PARAM_REQUEST_LIST", up=False)) <= 1
 
 
-def test_a_program_that_cannot_sign_reads_at_a_personal_port_and_changes_nothing_there(
-    api: Api, copters: list[Copter], pilot: User
-) -> None:
+def test_unsigned_client_at_personal_port_is_read_only(api: Api, copters: list[Copter], pilot: User) -> None:
     """End to end because pymavlink speaks, unsigned, to a port that is really opened and closed."""
     opened = pilot.api.call("POST", "/outlet/ports", {"address": "127.0.0.1", "hours": 1})
     assert opened.status_code == 201, opened.text
     endpoint = opened.json()["endpoint"].removeprefix("udpserver://")
-    grounds = [Ground(f"udpout:{endpoint}", None)]
+    grounds = [GroundStation(f"udpout:{endpoint}", None)]
     try:
         (first,) = grounds
         numbers = first.wait_vehicles(len(copters))
-        assert not any(m.get_signed() for m in first.messages)
-        grounds.append(Ground(f"udpout:{endpoint}", None))
+        assert not any(m.get_signed() for m in first.all_messages)
+        grounds.append(GroundStation(f"udpout:{endpoint}", None))
         own = f"/outlet/ports/{opened.json()['id']}"
         wait_for("a second one is counted", lambda: pilot.api.get("/outlet")["ports"][0]["refused"] >= 3)
-        assert grounds[1].messages == []
+        assert grounds[1].all_messages == []
 
-        told = [copter.told() for copter in copters]
+        received = [copter.messages_received() for copter in copters]
         for number in numbers:
-            first.say("set_mode", number, 1, 4)
-            first.say("param_set", number, 1, b"RTL_ALT", 900.0, mavlink.MAV_PARAM_TYPE_REAL32)
-            first.say("mission_clear_all", number, 1)
-            first.say("command_long", number, 1, mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 0, 1, 0, 0, 0, 0, 0, 0)
+            first.send_fields("set_mode", number, 1, 4)
+            first.send_fields("param_set", number, 1, b"RTL_ALT", 900.0, mavlink.MAV_PARAM_TYPE_REAL32)
+            first.send_fields("mission_clear_all", number, 1)
+            first.send_fields(
+                "command_long", number, 1, mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 0, 1, 0, 0, 0, 0, 0, 0
+            )
         for number in numbers:
 
             def refused(number: int = number) -> list[Any]:
-                answers = first.heard("COMMAND_ACK", number)
+                answers = first.messages("COMMAND_ACK", number)
                 return [m for m in answers if m.command == mavlink.MAV_CMD_COMPONENT_ARM_DISARM]
 
             assert [m.result for m in wait_for("it is answered", refused)] == [DENIED]
-            first.say("mission_request_list", number, 1)
-            wait_for("it is counted", partial(first.heard, "MISSION_COUNT", number))
-            first.say("mission_request_int", number, 1, 0)
-            home = wait_for("home is item 0", partial(first.heard, "MISSION_ITEM_INT", number))
+            first.send_fields("mission_request_list", number, 1)
+            wait_for("it is counted", partial(first.messages, "MISSION_COUNT", number))
+            first.send_fields("mission_request_int", number, 1, 0)
+            home = wait_for("home is item 0", partial(first.messages, "MISSION_ITEM_INT", number))
             assert (home[0].seq, home[0].frame) == (0, 0)
-        assert [copter.told() for copter in copters] == told
+        assert [copter.messages_received() for copter in copters] == received
 
         assert pilot.api.call("DELETE", own).status_code == 204
         wait_for("it is closed", lambda: not pilot.api.get("/outlet")["ports"])
-        closed = len(first.messages)
-        first.say("heartbeat", 6, 8, 0, 0, 4)
-        throughout("nothing more comes", lambda: len(first.messages) <= closed + 20, 1)
+        closed = len(first.all_messages)
+        first.send_fields("heartbeat", 6, 8, 0, 0, 4)
+        throughout("nothing more comes", lambda: len(first.all_messages) <= closed + 20, 1)
     finally:
         for ground in grounds:
             ground.close()
 
 
 @pytest.mark.soak
-def test_mavproxy_reads_and_flies_two_vehicles_of_one_system_id(
+def test_mavproxy_with_two_vehicles_of_one_system_id(
     server: Server, api: Api, copters: list[Copter], pilot: User, tmp_path: Path
 ) -> None:
     program = shutil.which("mavproxy.py") or os.environ.get("DRONEMAP_MAVPROXY")

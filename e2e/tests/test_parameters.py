@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from dronemap_e2e.api import Api
-from dronemap_e2e.impairer import BAD, CLEAR, Impairer
-from dronemap_e2e.plugged import PluggedStation
+from dronemap_e2e.direct_station import DirectStation
+from dronemap_e2e.impairer import BAD, UNIMPAIRED, Impairer
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
 from dronemap_e2e.waiting import wait_for
@@ -19,12 +19,12 @@ COUNT = 1000
 
 
 @dataclass(frozen=True)
-class Bench:
+class VehicleUnderTest:
     """One simulated vehicle behind a link that a test may spoil, with a station plugged into it."""
 
     api: Api
     link: Impairer
-    station: PluggedStation
+    station: DirectStation
     drone: str
 
     @property
@@ -38,7 +38,9 @@ class Bench:
 
 
 @pytest.fixture(params=["arducopter", "px4"])
-def bench(request: pytest.FixtureRequest, server: Server, api: Api, tmp_path: Path) -> Iterator[Bench]:
+def vehicle(
+    request: pytest.FixtureRequest, server: Server, api: Api, tmp_path: Path
+) -> Iterator[VehicleUnderTest]:
     system_id = next(SYSTEM_IDS)
     link = Impairer(server.udp_port, seed=system_id)
     simulator = Simulator(
@@ -46,28 +48,28 @@ def bench(request: pytest.FixtureRequest, server: Server, api: Api, tmp_path: Pa
         f"udp://127.0.0.1:{link.port}",
         *("--sysid", str(system_id), "--personality", request.param, "--parameters", str(COUNT)),
     )
-    station = PluggedStation(link, system_id)
+    station = DirectStation(link, system_id)
 
     def listed() -> str | None:
         return next((d["id"] for d in api.drones() if d["link"]["systemId"] == system_id), None)
 
     drone = wait_for("the vehicle is listed", listed, 60)
-    yield Bench(api, link, station, drone)
+    yield VehicleUnderTest(api, link, station, drone)
     simulator.stop()
     link.close()
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("bench", ["arducopter"], indirect=True)
-def test_a_thousand_parameters_go_up_a_bad_link(bench: Bench) -> None:
-    bench.read()
-    names = [p["name"] for p in bench.api.get(bench.path + "?search=SPARE")["parameters"]]
+@pytest.mark.parametrize("vehicle", ["arducopter"], indirect=True)
+def test_thousand_parameters_over_bad_link(vehicle: VehicleUnderTest) -> None:
+    vehicle.read()
+    names = [p["name"] for p in vehicle.api.get(vehicle.path + "?search=SPARE")["parameters"]]
     file = "\n".join(f"{name},{number % 120}" for number, name in enumerate(names))
-    bench.link.weather = BAD
+    vehicle.link.conditions = BAD
 
-    loading = bench.api.post_text(bench.path + "/file", file).json()["command"]
+    loading = vehicle.api.post_text(vehicle.path + "/file", file).json()["command"]
 
-    assert bench.api.ended(loading["id"], 600)["outcome"]["result"] == "succeeded"
-    bench.link.weather = CLEAR
-    held = bench.station.parameters()
+    assert vehicle.api.ended(loading["id"], 600)["outcome"]["result"] == "succeeded"
+    vehicle.link.conditions = UNIMPAIRED
+    held = vehicle.station.parameters()
     assert [held[name][0] for name in names] == [number % 120 for number in range(len(names))]

@@ -10,29 +10,29 @@ import pytest
 from playwright.sync_api import Browser, Locator, Page, ViewportSize, expect
 
 from dronemap_e2e.api import Api, Json
+from dronemap_e2e.direct_station import DirectStation
 from dronemap_e2e.impairer import Impairer
-from dronemap_e2e.plugged import PluggedStation
 from dronemap_e2e.screen import DESK, PHONE, open_page
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
-from dronemap_e2e.station import Hands, Pointer, Station, Touch
+from dronemap_e2e.station import InputMethod, Pointer, Station, Touch
 from dronemap_e2e.waiting import wait_for
 
 from .conftest import SYSTEM_IDS
 
 
 @dataclass(frozen=True)
-class Bench:
+class VehicleUnderTest:
     """One simulated copter with many parameters, and a station plugged into it."""
 
     simulator: Simulator
-    station: PluggedStation
+    station: DirectStation
     system_id: int
     drone: Json
 
 
 @pytest.fixture
-def bench(server: Server, api: Api, tmp_path: Path) -> Iterator[Bench]:
+def vehicle(server: Server, api: Api, tmp_path: Path) -> Iterator[VehicleUnderTest]:
     system_id = next(SYSTEM_IDS)
     link = Impairer(server.udp_port, seed=system_id)
     simulator = Simulator(
@@ -40,9 +40,9 @@ def bench(server: Server, api: Api, tmp_path: Path) -> Iterator[Bench]:
         f"udp://127.0.0.1:{link.port}",
         *("--sysid", str(system_id), "--parameters", "300", "--speedup", "5"),
     )
-    station = PluggedStation(link, system_id)
+    station = DirectStation(link, system_id)
     drone = wait_for("the vehicle is ready", lambda: api.ready(system_id), 90)
-    yield Bench(simulator, station, system_id, drone)
+    yield VehicleUnderTest(simulator, station, system_id, drone)
     simulator.stop()
     link.close()
 
@@ -63,21 +63,21 @@ def phone(browser: Browser) -> Iterator[Page]:
     opened.context.close()
 
 
-def open_panel(server: Server, api: Api, page: Page, bench: Bench) -> Station:
+def open_panel(server: Server, api: Api, page: Page, vehicle: VehicleUnderTest) -> Station:
     name, password = f"pilot-{secrets.token_hex(4)}", secrets.token_hex(10)
     answer = api.call("POST", "/users", {"name": name, "password": password, "role": "operator"})
     assert answer.status_code == 201, answer.text
-    hands: Hands = Touch() if page.viewport_size == PHONE else Pointer()
-    station = Station(page, hands)
+    input_method: InputMethod = Touch() if page.viewport_size == PHONE else Pointer()
+    station = Station(page, input_method)
     station.sign_in(server.address, name, password, secrets.token_hex(10))
-    station.choose(bench.drone["name"])
+    station.choose(vehicle.drone["name"])
     return station
 
 
 def disclose(station: Station, title: str) -> None:
     # Other buttons may have the word, too, such as what is told of a drone that flies home.
     section = station.page.locator("button[aria-expanded][aria-controls]").filter(has_text=title).first
-    station.hands.press(station.page, section)
+    station.input_method.press(station.page, section)
     expect(section).to_have_attribute("aria-expanded", "true")
 
 
@@ -104,11 +104,11 @@ def picture(page: Page, name: str) -> None:
         page.screenshot(path=Path(folder) / f"{name}.png")
 
 
-def test_a_person_reads_searches_changes_and_loads_parameters(
-    server: Server, api: Api, desk: Page, bench: Bench, tmp_path: Path
+def test_parameters_are_read_searched_changed_and_loaded(
+    server: Server, api: Api, desk: Page, vehicle: VehicleUnderTest, tmp_path: Path
 ) -> None:
     """End to end because a browser takes files in and hands them out."""
-    page, station = desk, open_panel(server, api, desk, bench)
+    page, station = desk, open_panel(server, api, desk, vehicle)
     disclose(station, "Parameters")
     station.press("Read all parameters")
     station.shows("300 parameters, all read at")
@@ -116,7 +116,7 @@ def test_a_person_reads_searches_changes_and_loads_parameters(
 
     page.get_by_label("Search by name").fill("alt rtl")
     row = page.get_by_role("list", name="Parameters").get_by_role("button").filter(has_text="RTL_ALT")
-    station.hands.press(page, row)
+    station.input_method.press(page, row)
     field = page.get_by_label("New value of RTL_ALT")
     field.fill("1.5")
     station.shows("It must be a whole number")
@@ -125,14 +125,14 @@ def test_a_person_reads_searches_changes_and_loads_parameters(
     station.press("Set")
     station.shows("Change: Done")
     expect(row).to_contain_text("2500")
-    assert bench.station.parameters()["RTL_ALT"][0] == 2500
+    assert vehicle.station.parameters()["RTL_ALT"][0] == 2500
 
-    bench.simulator.fault(f"{bench.system_id} alter RTL_ALT")
-    station.hands.press(page, row)
+    vehicle.simulator.fault(f"{vehicle.system_id} alter RTL_ALT")
+    station.input_method.press(page, row)
     field.fill("3000")
     station.press("Set")
     station.shows("The vehicle holds RTL_ALT = 3001, not 3000.")
-    bench.simulator.fault(f"{bench.system_id} repair")
+    vehicle.simulator.fault(f"{vehicle.system_id} repair")
 
     file = tmp_path / "copter.param"
     file.write_text("RTL_ALT,1800\nLAND_SPEED,60\nFS_EKF_ACTION,1\nNOBODY_KNOWS,1\n")
@@ -143,10 +143,10 @@ def test_a_person_reads_searches_changes_and_loads_parameters(
     picture(page, "parameters-3-compared")
     station.hold("Load 2 values")
     station.shows("Change: Done")
-    held = bench.station.parameters()
+    held = vehicle.station.parameters()
     assert (held["RTL_ALT"][0], held["LAND_SPEED"][0]) == (1800, 60)
     with page.expect_download() as saved:
-        station.hands.press(page, page.get_by_role("link", name="Save .param", exact=True))
+        station.input_method.press(page, page.get_by_role("link", name="Save .param", exact=True))
     lines = Path(saved.value.path()).read_text().splitlines()
     assert "RTL_ALT,1800" in lines
 
@@ -162,25 +162,27 @@ def test_a_person_reads_searches_changes_and_loads_parameters(
     can_be_pressed(station.button("Load 2 values"), page.get_by_role("link", name="Save .param", exact=True))
 
 
-def test_a_person_sets_home_takes_a_picture_and_switches_a_relay(
-    server: Server, api: Api, phone: Page, bench: Bench
+def test_home_picture_and_relay_by_page(
+    server: Server, api: Api, phone: Page, vehicle: VehicleUnderTest
 ) -> None:
     """End to end because hands do it on the page, and a second station sees it on the vehicle."""
-    page, station = phone, open_panel(server, api, phone, bench)
+    page, station = phone, open_panel(server, api, phone, vehicle)
     disclose(station, "Home")
     page.get_by_label("Home at coordinates").fill("47.4012, 8.5501")
     page.get_by_label("Altitude above sea level (m)").fill("501")
     picture(page, "home")
     station.hold("Set home")
     station.shows("Set home: Done")
-    assert bench.station.home() == (474_012_000, 85_501_000, 501_000)
+    assert vehicle.station.home() == (474_012_000, 85_501_000, 501_000)
 
     disclose(station, "Turn, camera, relays")
     station.press("Take a picture")
-    wait_for("the picture is taken", lambda: "pictures 1 " in bench.simulator.payload(bench.system_id), 30)
-    page.get_by_label("Relay", exact=True).fill("3")
+    wait_for(
+        "the picture is taken", lambda: "pictures 1 " in vehicle.simulator.payload(vehicle.system_id), 30
+    )
+    page.get_by_label("ReliefTrial", exact=True).fill("3")
     station.press("Switch")
-    wait_for("it is on", lambda: bench.simulator.payload(bench.system_id).endswith("relays on: 3"), 30)
+    wait_for("it is on", lambda: vehicle.simulator.payload(vehicle.system_id).endswith("relays on: 3"), 30)
     expect(station.button("Turn")).to_have_attribute("aria-disabled", "true")
     picture(page, "payload")
 
@@ -190,5 +192,5 @@ def test_a_person_sets_home_takes_a_picture_and_switches_a_relay(
     page.get_by_label("Altitude above sea level (m)").fill("502")
     can_be_pressed(station.button("Set home"))
     disclose(station, "Turn, camera, relays")
-    page.get_by_label("Relay", exact=True).fill("3")
+    page.get_by_label("ReliefTrial", exact=True).fill("3")
     can_be_pressed(station.button("Take a picture"), station.button("Switch"))

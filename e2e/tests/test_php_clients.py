@@ -23,18 +23,18 @@ CALLS = {
 
 
 @pytest.mark.parametrize("version", ["1.1", "1.2"])
-def test_php_calls_each_service(server: Server, api: Api, version: str) -> None:
+def test_php_soap_client_calls_each_service(server: Server, api: Api, version: str) -> None:
     """End to end because PHP makes calls, and reads answers and faults, by the services' own WSDLs."""
     pairs = [f"{service}={operation}" for service, operation in CALLS.items()]
-    said = subprocess.run(
+    output = subprocess.run(
         ["php", str(SCRIPT), server.address, server.local_key(), version, *pairs],
         capture_output=True,
         text=True,
         check=True,
         timeout=60,
     ).stdout
-    told = [json.loads(line) for line in said.splitlines()]
-    *answers, everything, nothing, unknown = told
+    results = [json.loads(line) for line in output.splitlines()]
+    *answers, everything, nothing, unknown = results
     assert [one["service"] for one in answers if "answer" in one] == list(CALLS), answers
     assert everything["answer"]["return"].get("drones") is None
     refused = api.call("POST", "/access-keys", {"label": "of no drone", "drones": []})

@@ -87,7 +87,7 @@ def tap_places(page: Page, places: tuple[tuple[int, int], ...]) -> None:
 
 
 def _place_of(page: Page, waypoint: str) -> Json:
-    """Where the newest plan of who is signed in goes for it."""
+    """Place of a waypoint in the newest plan of the signed-in user."""
     place: Json = page.evaluate(
         """async (waypoint) => {
           const all = await (await fetch('/api/v1/plans')).json();
@@ -112,7 +112,7 @@ def _forbid(api: Api, place: Json) -> None:
     assert answer.status_code == 201, answer.text
 
 
-def test_an_operator_plans_starts_and_changes_a_run_of_three_drones(fleet: Server, page: Page) -> None:
+def test_plan_start_and_change_run_of_three_drones(fleet: Server, page: Page) -> None:
     """End to end because a browser draws it all on its map."""
     api = Api(fleet.address, fleet.local_key())
     wait_for("all is known", lambda: _known(api), 150)
@@ -163,7 +163,7 @@ def test_an_operator_plans_starts_and_changes_a_run_of_three_drones(fleet: Serve
     left_out = page.get_by_role("region", name="Left out")
     expect(left_out).to_contain_text("the no-fly zone “Crane”", timeout=60_000)
     picture(page, "plans-3-left-out")
-    station.hands.hold(page, station.button("Start"))
+    station.input_method.hold(page, station.button("Start"))
     assert presses(page) <= 4
 
     run = page.get_by_role("region", name="Mission run Mission run")
@@ -173,7 +173,7 @@ def test_an_operator_plans_starts_and_changes_a_run_of_three_drones(fleet: Serve
     run.get_by_role("button").filter(has_text="to be visited by").last.click()
     cancel = run.get_by_role("button", name=re.compile("Cancel waypoint"))
     number = cancel.inner_text().removeprefix("Cancel waypoint ")
-    station.hands.hold(page, cancel)
+    station.input_method.hold(page, cancel)
     decisions = run.get_by_role("region", name="Decisions")
     expect(decisions).to_contain_text(f"{name} cancelled the waypoint {number}.", timeout=20_000)
     expect(run.get_by_role("list", name="Waypoints", exact=True)).to_contain_text("cancelled")

@@ -25,13 +25,13 @@ def configured(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     server.kill()
 
 
-def test_the_page_keeps_to_its_own_policy_and_offers_the_provider(
-    configured: Server, browser: Browser
-) -> None:
+def test_page_keeps_content_security_policy_and_offers_provider(configured: Server, browser: Browser) -> None:
     """End to end because a browser is what obeys the policy."""
     page = open_page(browser)
     violations: list[str] = []
-    page.on("console", lambda said: violations.append(said.text) if "Content Security" in said.text else None)
+    page.on(
+        "console", lambda entry: violations.append(entry.text) if "Content Security" in entry.text else None
+    )
     page.goto(configured.address)
     expect(page.get_by_role("link", name="Sign in with the fleet's login")).to_be_visible()
 

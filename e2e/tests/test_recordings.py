@@ -15,7 +15,7 @@ TIME_BYTES = 8
 
 
 def records(tlog: bytes) -> int:
-    """How many there are, read by the letter of the format."""
+    """Counts records by the format's definition."""
     count = at = 0
     while at < len(tlog):
         at += TIME_BYTES
@@ -37,7 +37,7 @@ def download(api: Api, recording: str) -> bytes:
 
 
 def read(tlog: bytes, folder: Path) -> list[Any]:
-    """As pymavlink reads it."""
+    """Messages of a recording as pymavlink reads them."""
     path = folder / "flight.tlog"
     path.write_bytes(tlog)
     log = mavutil.mavlink_connection(str(path))
@@ -47,7 +47,7 @@ def read(tlog: bytes, folder: Path) -> list[Any]:
     return messages
 
 
-def test_other_programs_read_it(api: Api, copter: Json, tmp_path: Path) -> None:
+def test_recording_is_read_by_pymavlink_and_mavlogdump(api: Api, copter: Json, tmp_path: Path) -> None:
     """End to end because pymavlink and mavlogdump.py are those other programs."""
     drone = copter["id"]
     api.do(drone, type="arm")

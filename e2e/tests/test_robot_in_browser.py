@@ -28,7 +28,7 @@ QUIRKS = "repeats-twist,status-is-heartbeat,counts-each-kind,broken-lines"
 
 
 @dataclass(frozen=True)
-class Spot:
+class Colour:
     red: int
     green: int
     blue: int
@@ -93,17 +93,17 @@ def robot(server: Server, api: Api, tmp_path: Path) -> Iterator[Json]:
         yield listed(api, SYSTEM_ID, lambda d: (d["sensed"] or {}).get("scan"))
 
 
-def spot(page: Page, x: float, y: float) -> Spot:
+def map_colour(page: Page, x: float, y: float) -> Colour:
     """The pixel of the drawn map at a place of the room."""
     column = (x - LEFT) * PIXELS_A_METER
     row = CANVAS - (y - BOTTOM) * PIXELS_A_METER
     red, green, blue, _ = page.locator("canvas[aria-label^='Map of']").evaluate(
         "(canvas, [x, y]) => [...canvas.getContext('2d').getImageData(x, y, 1, 1).data]", [column, row]
     )
-    return Spot(red, green, blue)
+    return Colour(red, green, blue)
 
 
-def seen(image: Locator, x: int, y: int) -> Spot:
+def picture_colour(image: Locator, x: int, y: int) -> Colour:
     """A pixel of the picture as the page shows it."""
     red, green, blue, _ = image.evaluate(
         """async (image, [x, y]) => {
@@ -117,10 +117,10 @@ def seen(image: Locator, x: int, y: int) -> Spot:
         }""",
         [x, y],
     )
-    return Spot(red, green, blue)
+    return Colour(red, green, blue)
 
 
-def near(local: Json, x: float, y: float) -> bool:
+def is_near(local: Json, x: float, y: float) -> bool:
     return bool(abs(local["x"] - x) < 0.4 and abs(local["y"] - y) < 0.4)
 
 
@@ -137,40 +137,38 @@ def speed(api: Api, drone: str) -> float:
 
 
 def succeeded(api: Api, drone: str, kind: str) -> bool:
-    """What the page says of it goes away by itself after a while."""
-    told = api.get(f"/drones/{drone}/commands")["commands"]
-    return any(c["type"] == kind and c["outcome"] and c["outcome"]["result"] == "succeeded" for c in told)
+    """True when a command of that kind has succeeded."""
+    commands = api.get(f"/drones/{drone}/commands")["commands"]
+    return any(c["type"] == kind and c["outcome"] and c["outcome"]["result"] == "succeeded" for c in commands)
 
 
-def test_a_person_sees_its_room_drives_it_and_sends_it_somewhere(
-    api: Api, robot: Json, page: Page, station: Station
-) -> None:
+def test_robot_map_driving_and_goal_on_page(api: Api, robot: Json, page: Page, station: Station) -> None:
     """End to end because it is about what a page draws, and keys pressed on it."""
     station.choose(robot["name"])
     section = page.get_by_role("region", name="Own map")
     section.get_by_role("button", name="Read its map").click()
     expect(section).to_contain_text("8.0 m wide")
 
-    wait_for("the box in the room is drawn", lambda: spot(page, 2, 1).dark)
-    assert spot(page, 0, 2.95).dark, "the upper wall"
-    assert spot(page, 0, -1.5).bright
-    assert spot(page, 2, -1).bright, "no box where there is none, so y is upwards"
+    wait_for("the box in the room is drawn", lambda: map_colour(page, 2, 1).dark)
+    assert map_colour(page, 0, 2.95).dark, "the upper wall"
+    assert map_colour(page, 0, -1.5).bright
+    assert map_colour(page, 2, -1).bright, "no box where there is none, so y is upwards"
     # The wall below it: what is met is drawn in red, on the black of the wall.
-    wait_for("what the range finder meets is drawn", lambda: spot(page, -2, -2.81).red > 120)
-    assert spot(page, -2, -2.81).green < 100
-    here = spot(page, -2, -1)
+    wait_for("what the range finder meets is drawn", lambda: map_colour(page, -2, -2.81).red > 120)
+    assert map_colour(page, -2, -2.81).green < 100
+    here = map_colour(page, -2, -1)
     assert here.blue > here.red + 60, "the robot itself"
     camera = section.get_by_role("img", name="What the camera")
     wait_for("its picture is shown", lambda: camera.evaluate("image => image.naturalWidth") == 160)
     expect(camera).to_be_visible()
     # From where it stands, looking along x: the far wall ahead under the sky, the box, nearer, at its left.
-    assert seen(camera, 80, 10) == Spot(0x30, 0x70, 0xC0), "the sky"
-    assert seen(camera, 80, 110) == Spot(0x70, 0x50, 0x30), "the ground"
-    wall, corner = seen(camera, 80, 60), seen(camera, 4, 60)
+    assert picture_colour(camera, 80, 10) == Colour(0x30, 0x70, 0xC0), "the sky"
+    assert picture_colour(camera, 80, 110) == Colour(0x70, 0x50, 0x30), "the ground"
+    wall, corner = picture_colour(camera, 80, 60), picture_colour(camera, 4, 60)
     assert wall.red == wall.green == wall.blue > 60, "the far wall"
     assert corner.red == corner.green == corner.blue > wall.red + 10, "the box is nearer, so brighter"
-    assert seen(camera, 4, 52) == corner, "and taller"
-    assert seen(camera, 80, 52) == seen(camera, 80, 10)
+    assert picture_colour(camera, 4, 52) == corner, "and taller"
+    assert picture_colour(camera, 80, 52) == picture_colour(camera, 80, 10)
 
     canvas = section.locator("canvas")
     box = canvas.bounding_box()
@@ -178,7 +176,7 @@ def test_a_person_sees_its_room_drives_it_and_sends_it_somewhere(
     scale = box["width"] / 8
     canvas.click(position={"x": 3 * scale, "y": box["height"] - 1 * box["height"] / 8})
     section.get_by_role("button", name="Go there").click()
-    wait_for("it has gone there", lambda: near(api.drone(robot["id"])["local"], -1, -2), 60)
+    wait_for("it has gone there", lambda: is_near(api.drone(robot["id"])["local"], -1, -2), 60)
     wait_for("the way is said to be done", lambda: succeeded(api, robot["id"], "goToLocal"), 60)
     expect(page.get_by_text("m on its own map: succeeded"), "a long line").to_be_visible()
     assert section.evaluate("section => section.getBoundingClientRect().right <= innerWidth"), "all is seen"
@@ -189,7 +187,7 @@ def test_a_person_sees_its_room_drives_it_and_sends_it_somewhere(
     steer.get_by_role("application").focus()
     page.keyboard.down("a")
     expect(state).to_contain_text("You are steering: turning left")
-    wait_for("it turns to its left", lambda: turned(yaw, api.drone(robot["id"])["local"]["yaw"]) > 20)
+    wait_for("it turns to its left", lambda: degrees_turned(yaw, api.drone(robot["id"])["local"]["yaw"]) > 20)
     expect(canvas, "and one sees it").to_be_in_viewport(ratio=0.9)
     picture(page, "robot-steered-wide")
     page.keyboard.up("a")
@@ -204,35 +202,35 @@ def test_a_person_sees_its_room_drives_it_and_sends_it_somewhere(
     page.mouse.move(x, y)
     page.mouse.down()
     page.mouse.move(x, y + 60)
-    wait_for("it drives back", lambda: ahead_of(before, api.drone(robot["id"])["local"]) < -0.2)
+    wait_for("it drives back", lambda: metres_ahead(before, api.drone(robot["id"])["local"]) < -0.2)
     page.mouse.up()
     # It repeats what it heard last for ever, so it was told to stand.
     wait_for("it stands", lambda: speed(api, robot["id"]) == 0)
     page.set_viewport_size({"width": 390, "height": 844})
-    steers_on_a_phone(api, robot, page, steer)
+    check_steering_on_phone(api, robot, page, steer)
 
 
-def steers_on_a_phone(api: Api, robot: Json, page: Page, steer: Locator) -> None:
+def check_steering_on_phone(api: Api, robot: Json, page: Page, steer: Locator) -> None:
     stick, canvas = steer.locator("[data-stick=Drive]"), page.locator("canvas[aria-label^='Map of']")
     # The panel is made anew for a phone; this waits for the new one.
     stick.hover()
     stick.evaluate("stick => stick.scrollIntoView({ block: 'nearest' })")
-    x, y = middle(stick)
+    x, y = centre(stick)
     yaw = api.drone(robot["id"])["local"]["yaw"]
     page.mouse.move(x, y)
     page.mouse.down()
     page.mouse.move(x - 60, y)
-    wait_for("it turns to its left", lambda: turned(yaw, api.drone(robot["id"])["local"]["yaw"]) > 20)
+    wait_for("it turns to its left", lambda: degrees_turned(yaw, api.drone(robot["id"])["local"]["yaw"]) > 20)
     expect(canvas, "one sees the map and what the range finder meets").to_be_in_viewport(ratio=0.95)
     expect(stick).to_be_in_viewport(ratio=0.95)
-    assert on_top(page, middle(canvas), "[aria-label^='Map of']"), "nothing lies over it"
-    assert on_top(page, [x, y - 60], "[data-stick]"), "nor over the stick"
+    assert is_on_top(page, centre(canvas), "[aria-label^='Map of']"), "nothing lies over it"
+    assert is_on_top(page, [x, y - 60], "[data-stick]"), "nor over the stick"
     picture(page, "robot-steered-narrow")
     page.mouse.up()
     expect(steer.get_by_role("status")).to_have_text("Nobody steers from here")
 
 
-def on_top(page: Page, place: list[float], selector: str) -> bool:
+def is_on_top(page: Page, place: list[float], selector: str) -> bool:
     return bool(
         page.evaluate(
             "([x, y, selector]) => document.elementFromPoint(x, y)?.closest(selector) !== null",
@@ -241,24 +239,24 @@ def on_top(page: Page, place: list[float], selector: str) -> bool:
     )
 
 
-def middle(of: Locator) -> list[float]:
+def centre(of: Locator) -> list[float]:
     box = of.bounding_box()
     assert box
     return [box["x"] + box["width"] / 2, box["y"] + box["height"] / 2]
 
 
-def ahead_of(before: Json, now: Json) -> float:
+def metres_ahead(before: Json, now: Json) -> float:
     """In metres, as it looked before."""
     yaw = math.radians(before["yaw"])
     return float((now["x"] - before["x"]) * math.cos(yaw) + (now["y"] - before["y"]) * math.sin(yaw))
 
 
-def turned(before: float, after: float) -> float:
+def degrees_turned(before: float, after: float) -> float:
     """Degrees to the left, which robots count upwards."""
     return (after - before + 180) % 360 - 180
 
 
-def test_a_person_flies_a_drone_that_speaks_as_robots_do(
+def test_roslink_drone_is_flown_on_page(
     server: Server, api: Api, page: Page, station: Station, tmp_path: Path
 ) -> None:
     """End to end because it is about buttons and keys of a page."""

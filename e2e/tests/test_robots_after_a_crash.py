@@ -6,22 +6,22 @@ from contextlib import closing
 
 import pytest
 from roslink_bridge.bridge import Bridge, Identity
-from roslink_bridge.link import Link, UdpLine
+from roslink_bridge.link import Link, UdpLink
 from roslink_bridge.robot import Battery, Map, Pose, Scan, Speeds
-from roslink_bridge.robot import Robot as Machine
-from roslink_bridge.web import WebLine
+from roslink_bridge.robot import Robot as BridgedRobot
+from roslink_bridge.web import WebSocketLink
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.helm import Helm
 from dronemap_e2e.server import Server
+from dronemap_e2e.steering_client import SteeringClient
 from dronemap_e2e.waiting import wait_for
 
-OUR_ID = 3502
+SYSTEM_ID = 3502
 OFTEN = 0.005
 
 
-class Wheels(Machine):
-    """Drives on with the last speeds for ever, as motors do."""
+class MotorRobot(BridgedRobot):
+    """A robot that drives on with its last speeds for ever, as motors do."""
 
     def __init__(self) -> None:
         self.speed = 0.0
@@ -52,15 +52,15 @@ class Wheels(Machine):
 
 
 @pytest.fixture
-def ours(killable: Server) -> Iterator[Wheels]:
+def bridged_robot(killable_server: Server) -> Iterator[MotorRobot]:
     """On both of its links."""
-    wheels = Wheels()
-    udp = UdpLine(("127.0.0.1", killable.robot_udp_port))
-    web = WebLine(f"ws://127.0.0.1:{killable.robot_web_port}/")
-    link = Link(Bridge(Identity(OUR_ID, "ours"), wheels), udp, web)
+    robot = MotorRobot()
+    udp = UdpLink(("127.0.0.1", killable_server.robot_udp_port))
+    web = WebSocketLink(f"ws://127.0.0.1:{killable_server.robot_web_port}/")
+    link = Link(Bridge(Identity(SYSTEM_ID, "ours"), robot), udp, web)
     runner = threading.Thread(target=link.run)
     runner.start()
-    yield wheels
+    yield robot
     link.end()
     runner.join()
 
@@ -78,17 +78,17 @@ def linked(api: Api, drone: str) -> bool:
     return link["transport"] == "websocket" and len(link["others"]) == 1
 
 
-def test_our_bridge_stops_its_robot_when_the_server_dies_in_mid_twist(killable: Server, ours: Wheels) -> None:
+def test_bridge_stops_robot_when_server_is_killed(killable_server: Server, bridged_robot: MotorRobot) -> None:
     """End to end because our bridge, a program of its own, sees a process killed, and dials again."""
-    api = Api(killable.address, killable.local_key())
-    drone = steerable(api, OUR_ID)["id"]
+    api = Api(killable_server.address, killable_server.local_key())
+    drone = steerable(api, SYSTEM_ID)["id"]
     wait_for("it has both links", lambda: linked(api, drone))
-    with closing(Helm(killable, api.new_key("stick", "operator"), drone)):
-        wait_for("it drives", lambda: ours.speed > 0.3, every=OFTEN)
-        killable.kill()
-        wait_for("it stands by itself", lambda: ours.speed == 0, every=OFTEN)
+    with closing(SteeringClient(killable_server, api.new_key("stick", "operator"), drone)):
+        wait_for("it drives", lambda: bridged_robot.speed > 0.3, every=OFTEN)
+        killable_server.kill()
+        wait_for("it stands by itself", lambda: bridged_robot.speed == 0, every=OFTEN)
 
-    killable.start()
-    newer = Api(killable.address, killable.local_key())
+    killable_server.start()
+    newer = Api(killable_server.address, killable_server.local_key())
     wait_for("it has both links again", lambda: linked(newer, drone), 30)
-    assert ours.speed == 0
+    assert bridged_robot.speed == 0

@@ -7,10 +7,19 @@ from functools import partial
 import pytest
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.runs import Track, distance, ended, known, of, planned, stages, tracks
+from dronemap_e2e.message_recorder import MessageRecorder, RecordedMessage
+from dronemap_e2e.runs import (
+    Track,
+    create_plan,
+    distance,
+    ready_drone,
+    run_if_over,
+    stages,
+    tracks,
+    waypoints_in_state,
+)
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
-from dronemap_e2e.tap import Heard, Tap
 from dronemap_e2e.waiting import wait_for
 
 VALLEY, MOUNTAIN = 221, 222
@@ -30,19 +39,19 @@ ORDERS = (
 
 
 @pytest.fixture
-def tap(server: Server) -> Iterator[Tap]:
-    opened = Tap(server.udp_port)
+def recorder(server: Server) -> Iterator[MessageRecorder]:
+    opened = MessageRecorder(server.udp_port)
     yield opened
     opened.close()
 
 
 @pytest.fixture
-def mountain(tap: Tap, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Simulator]:
+def simulator(recorder: MessageRecorder, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Simulator]:
     """The simulator of the drone on the mountain; beside it one of the drone in the valley."""
     both = [
         Simulator(
             tmp_path_factory.mktemp("depots") / "sim.log",
-            f"udp://127.0.0.1:{tap.port}",
+            f"udp://127.0.0.1:{recorder.port}",
             *("--speedup", "5", "--sysid", str(system_id)),
             *("--home", f"{LATITUDE},{LONGITUDE + n * EASTWARD},{amsl}"),
         )
@@ -66,36 +75,38 @@ def waypoints() -> list[Json]:
     ]
 
 
-def orders(tap: Tap, system_id: int, since: float) -> list[Heard]:
-    """What tells that vehicle to do something; asking it for messages is none."""
+def commands_sent(recorder: MessageRecorder, system_id: int, since: float) -> list[RecordedMessage]:
+    """Orders to that vehicle; requests for messages do not count."""
     return [
-        heard
-        for heard in tap.heard(*ORDERS, up=False, since=since)
-        if heard.message.target_system == system_id
-        and not (heard.kind == "COMMAND_LONG" and heard.message.command in REQUESTS)
+        recorded
+        for recorded in recorder.messages(*ORDERS, up=False, since=since)
+        if recorded.message.target_system == system_id
+        and not (recorded.kind == "COMMAND_LONG" and recorded.message.command in REQUESTS)
     ]
 
 
 def off_height(waypoint: Json, track: Track) -> float:
-    """How many metres too high or too low it was where it came nearest over the ground."""
+    """Metres too high or too low at the point nearest to the waypoint over ground."""
     nearest = min(track, key=lambda at: distance({**waypoint, "altitudeAmsl": at[2]}, [at]))
     off: float = abs(nearest[2] - waypoint["altitudeAmsl"])
     return off
 
 
 @pytest.mark.soak
-def test_what_a_pilot_takes_a_drone_from_another_flies_at_the_same_height_and_nobody_orders_it_about(
-    api: Api, tap: Tap, mountain: Simulator
+def test_drone_taken_by_pilot_is_replaced_at_same_height_and_not_commanded(
+    api: Api, recorder: MessageRecorder, simulator: Simulator
 ) -> None:
-    drones = [wait_for("all is known", partial(known, api, one), 120) for one in (VALLEY, MOUNTAIN)]
+    drones = [wait_for("all is known", partial(ready_drone, api, one), 120) for one in (VALLEY, MOUNTAIN)]
     stays, leaves = (drone["id"] for drone in drones)
     assert drones[1]["home"]["altitudeAmsl"] - drones[0]["home"]["altitudeAmsl"] == pytest.approx(80, abs=1)
-    asked = api.call("POST", "/runs", {"plan": planned(api, drones, waypoints()), "onCloudLoss": "continue"})
+    asked = api.call(
+        "POST", "/runs", {"plan": create_plan(api, drones, waypoints()), "onCloudLoss": "continue"}
+    )
     assert asked.status_code == 201, asked.text
     run = f"/runs/{asked.json()['id']}"
-    wait_for("it is on its way", lambda: of(api.get(run), leaves, "visited"), 180)
+    wait_for("it is on its way", lambda: waypoints_in_state(api.get(run), leaves, "visited"), 180)
 
-    mountain.fault(f"{MOUNTAIN} mode {LOITER}")
+    simulator.fault(f"{MOUNTAIN} mode {LOITER}")
     wait_for("the pilot has it", lambda: stages(api.get(run))[leaves] == "suspended", 30)
     since = time.monotonic()
     left = wait_for(
@@ -105,7 +116,7 @@ def test_what_a_pilot_takes_a_drone_from_another_flies_at_the_same_height_and_no
     )
     wait_for("the other one has done what it can", lambda: stages(api.get(run))[stays] == "landed", 240)
 
-    flown = tracks(tap, drones, VALLEY)
+    flown = tracks(recorder, drones, VALLEY)
     ends = api.get(run)
     by_other = [one for one in ends["waypoints"] if one["id"] in left and one["state"] == "visited"]
     # Where the pilot hovers nobody may go meanwhile.
@@ -115,14 +126,14 @@ def test_what_a_pilot_takes_a_drone_from_another_flies_at_the_same_height_and_no
     for one in by_other:
         assert distance(one, flown[stays]) < NEAR_METRES, one
         assert off_height(one, flown[stays]) < HEIGHT_METRES, (one, off_height(one, flown[stays]))
-    assert orders(tap, MOUNTAIN, since) == []
+    assert commands_sent(recorder, MOUNTAIN, since) == []
     assert api.drone(leaves)["mode"] == "LOITER"
     words = [one for one in ends["explanations"] if one["trigger"] == "takenOver"]
     assert words and words[0]["drone"] == leaves, ends["explanations"]
 
     resumed = api.call("POST", f"{run}/drones/{leaves}/resume")
     assert resumed.ok, resumed.text
-    over = wait_for("it is over", partial(ended, api, run), 240)
+    over = wait_for("it is over", partial(run_if_over, api, run), 240)
     assert over["counts"]["visited"] == WAYPOINTS, over["explanations"]
-    assert orders(tap, MOUNTAIN, since)
+    assert commands_sent(recorder, MOUNTAIN, since)
     assert api.get(f"{run}/journal/replay")["same"]

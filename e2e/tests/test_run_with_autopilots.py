@@ -1,4 +1,4 @@
-"""Of three real autopilots in a mission run one is killed in the air; the others finish its waypoints."""
+"""A run of three real autopilots: one is killed in the air, the others finish its waypoints."""
 
 import math
 from collections.abc import Iterator
@@ -10,7 +10,7 @@ import pytest
 from dronemap_e2e import sitl
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import EARTH_RADIUS_METERS
-from dronemap_e2e.runs import distance, ended, known, of, planned, stages
+from dronemap_e2e.runs import create_plan, distance, ready_drone, run_if_over, stages, waypoints_in_state
 from dronemap_e2e.server import Server
 from dronemap_e2e.sitl import ArduCopter
 from dronemap_e2e.trajectories import Fix, nearest
@@ -64,7 +64,7 @@ def waypoints() -> list[Json]:
     ]
 
 
-def way(copter: ArduCopter) -> Way:
+def local_track(copter: ArduCopter) -> Way:
     """In metres about the middle home, by the clock of all."""
     return Way(
         [
@@ -75,7 +75,7 @@ def way(copter: ArduCopter) -> Way:
                 amsl - HOME_AMSL,
                 amsl - HOME_AMSL,
             )
-            for seconds, latitude, longitude, amsl in copter.witness.seen()
+            for seconds, latitude, longitude, amsl in copter.ground_truth.positions()
         ]
     )
 
@@ -83,41 +83,47 @@ def way(copter: ArduCopter) -> Way:
 @pytest.mark.soak
 @pytest.mark.skipif(sitl.BINARY is None, reason="DRONEMAP_SITL_ARDUCOPTER names no ArduCopter binary")
 @pytest.mark.parametrize("on_cloud_loss", ["rtl", "continue"])
-def test_others_fly_the_waypoints_of_a_real_autopilot_that_is_killed_in_the_air(
+def test_run_replaces_real_autopilot_killed_in_the_air(
     own_server: Server, copters: list[ArduCopter], on_cloud_loss: str
 ) -> None:
     api = Api(own_server.address, own_server.local_key())
-    drones = [wait_for("all is known", partial(known, api, FIRST_SYSTEM_ID + n), 120) for n in range(DRONES)]
+    drones = [
+        wait_for("all is known", partial(ready_drone, api, FIRST_SYSTEM_ID + n), 120) for n in range(DRONES)
+    ]
     for drone in drones:
-        wait_for("it may fly", partial(sitl.may_fly, api, drone["id"]), 90, every=3)
+        wait_for("it may fly", partial(sitl.arms_and_enters_guided, api, drone["id"]), 90, every=3)
     # The words of a vehicle and its own port tell of the same one.
     by_id = {drone["id"]: copter for drone, copter in zip(drones, copters, strict=True)}
-    asked = {"plan": planned(api, drones, waypoints()), "onCloudLoss": on_cloud_loss}
+    asked = {"plan": create_plan(api, drones, waypoints()), "onCloudLoss": on_cloud_loss}
     started = api.call("POST", "/runs", asked)
     assert started.status_code == 201, started.text
     run = f"/runs/{started.json()['id']}"
     wait_for("all fly", lambda: set(stages(api.get(run)).values()) == {"flying"}, 120)
 
     killed = drones[1]["id"]
-    wait_for("it has visited one", lambda: of(api.get(run), killed, "visited"), 120)
+    wait_for("it has visited one", lambda: waypoints_in_state(api.get(run), killed, "visited"), 120)
     by_id[killed].kill()
-    truly = by_id[killed].witness.track()
-    left = [one["id"] for one in of(api.get(run), killed, "assigned") if distance(one, truly) > NEAR_METRES]
+    truly = by_id[killed].ground_truth.track()
+    left = [
+        one["id"]
+        for one in waypoints_in_state(api.get(run), killed, "assigned")
+        if distance(one, truly) > NEAR_METRES
+    ]
     assert truly[-1][2] > HOME_AMSL + HEIGHT_METRES / 2, "it was in the air"
     assert len(left) >= 2, "it had something left to do"
-    over = wait_for("it is over", partial(ended, api, run), 480, every=0.5)
+    over = wait_for("it is over", partial(run_if_over, api, run), 480, every=0.5)
 
     words = [one["words"] for one in over["explanations"]]
     assert over["counts"]["visited"] == WAYPOINTS, words
     for one in over["waypoints"]:
         by = one["visits"][0]["drone"]
-        assert distance(one, by_id[by].witness.track()) < NEAR_METRES, (one, words)
+        assert distance(one, by_id[by].ground_truth.track()) < NEAR_METRES, (one, words)
         assert by != killed or one["id"] not in left, (one, words)
     lost = next(one for one in over["explanations"] if one["trigger"] == "lost")
     assert lost["drone"] == killed, words
     for drone, copter in by_id.items():
-        assert drone == killed or copter.witness.altitude() < HOME_AMSL + 1, "it is down"
-    least = nearest({number: way(copter) for number, copter in enumerate(copters)})
+        assert drone == killed or copter.ground_truth.altitude() < HOME_AMSL + 1, "it is down"
+    least = nearest({number: local_track(copter) for number, copter in enumerate(copters)})
     print("NEAREST", least, "TAKEN OVER", len(left))
     assert least is None or least.metres >= LEAST_METRES, (least, words)
     assert api.get(f"{run}/journal/replay")["same"]

@@ -9,10 +9,18 @@ import pytest
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import EARTH_RADIUS_METERS
-from dronemap_e2e.runs import distance, ended, known, of, planned, stages, tracks
+from dronemap_e2e.message_recorder import MessageRecorder
+from dronemap_e2e.runs import (
+    create_plan,
+    distance,
+    ready_drone,
+    run_if_over,
+    stages,
+    tracks,
+    waypoints_in_state,
+)
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
-from dronemap_e2e.tap import Tap
 from dronemap_e2e.waiting import wait_for
 
 FIRST_SYSTEM_ID = 181
@@ -24,17 +32,17 @@ NEAR_METRES = 5.0
 
 
 @pytest.fixture
-def tap(own_server: Server) -> Iterator[Tap]:
-    opened = Tap(own_server.udp_port)
+def recorder(own_server: Server) -> Iterator[MessageRecorder]:
+    opened = MessageRecorder(own_server.udp_port)
     yield opened
     opened.close()
 
 
 @pytest.fixture
-def simulator(tap: Tap, tmp_path: Path) -> Iterator[Simulator]:
+def simulator(recorder: MessageRecorder, tmp_path: Path) -> Iterator[Simulator]:
     started = Simulator(
         tmp_path / "sim.log",
-        f"udp://127.0.0.1:{tap.port}",
+        f"udp://127.0.0.1:{recorder.port}",
         *("--count", str(DRONES), "--speedup", "5", "--sysid", str(FIRST_SYSTEM_ID)),
     )
     yield started
@@ -57,13 +65,15 @@ def waypoints(home: Json) -> list[Json]:
 
 
 @pytest.mark.soak
-def test_others_fly_what_a_fallen_drone_leaves_and_a_crash_of_the_server_changes_nothing(
-    own_server: Server, tap: Tap, simulator: Simulator
+def test_run_replaces_crashed_drone_and_survives_server_crash(
+    own_server: Server, recorder: MessageRecorder, simulator: Simulator
 ) -> None:
     api = Api(own_server.address, own_server.local_key())
-    drones = [wait_for("all is known", partial(known, api, FIRST_SYSTEM_ID + n), 120) for n in range(DRONES)]
+    drones = [
+        wait_for("all is known", partial(ready_drone, api, FIRST_SYSTEM_ID + n), 120) for n in range(DRONES)
+    ]
     asked = {
-        "plan": planned(api, drones, waypoints(drones[0]["home"])),
+        "plan": create_plan(api, drones, waypoints(drones[0]["home"])),
         "name": "roofs",
         "onCloudLoss": "continue",
     }
@@ -73,18 +83,18 @@ def test_others_fly_what_a_fallen_drone_leaves_and_a_crash_of_the_server_changes
     wait_for("all fly", lambda: set(stages(api.get(run)).values()) == {"flying"}, 120)
 
     fallen = drones[0]["id"]
-    wait_for("it is on its way", lambda: of(api.get(run), fallen, "visited"), 120)
-    left = [one["id"] for one in of(api.get(run), fallen, "assigned")]
+    wait_for("it is on its way", lambda: waypoints_in_state(api.get(run), fallen, "visited"), 120)
+    left = [one["id"] for one in waypoints_in_state(api.get(run), fallen, "assigned")]
     simulator.fault(f"{FIRST_SYSTEM_ID} motor-failure")
     wait_for("it is given up", lambda: stages(api.get(run))[fallen] == "crashed", 30)
 
     own_server.kill()
     own_server.start()
     again = Api(own_server.address, own_server.local_key())
-    over = wait_for("it is over", partial(ended, again, run), 240)
+    over = wait_for("it is over", partial(run_if_over, again, run), 240)
 
     assert over["counts"]["visited"] == WAYPOINTS, over["explanations"]
-    flown = tracks(tap, drones, FIRST_SYSTEM_ID)
+    flown = tracks(recorder, drones, FIRST_SYSTEM_ID)
     for one in over["waypoints"]:
         off = distance(one, flown[one["visits"][0]["drone"]])
         assert off < NEAR_METRES, (one, off)

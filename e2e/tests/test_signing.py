@@ -29,7 +29,7 @@ def listed(api: Api, peer: SigningPeer) -> str:
     return wait_for("the peer is listed", find, 20)
 
 
-def test_pymavlink_and_the_server_take_each_others_signatures(api: Api, peer: SigningPeer) -> None:
+def test_pymavlink_and_server_accept_each_others_signatures(api: Api, peer: SigningPeer) -> None:
     """A key is made, put on the vehicle, changed and taken off it again; with each the vehicle is commanded.
 
     End to end because only another implementation of signing shows that ours means the same.

@@ -1,4 +1,4 @@
-"""Each operation of SOAP as a program of another maker calls it; what only looks says what REST says."""
+"""Each operation of SOAP as a program of another maker calls it; read operations match REST."""
 
 from collections.abc import Iterator
 from datetime import datetime
@@ -113,7 +113,7 @@ def things(own_server: Server) -> Iterator[dict[str, str]]:
 
 
 @pytest.mark.parametrize("version", VERSIONS)
-def test_each_operation_answers_or_says_what_is_wrong(own_server: Server, version: str) -> None:
+def test_each_operation_answers_or_faults(own_server: Server, version: str) -> None:
     """End to end because zeep makes calls, and reads answers and faults, by the services' own WSDLs."""
     key = own_server.local_key()
     api = Api(own_server.address, key)
@@ -129,7 +129,7 @@ def test_each_operation_answers_or_says_what_is_wrong(own_server: Server, versio
             assert fault.code.endswith((":Client", ":Sender")), (name, fault.code, fault.message)
 
 
-def test_what_only_looks_says_what_rest_says(own_server: Server, things: dict[str, str]) -> None:
+def test_read_operations_match_rest(own_server: Server, things: dict[str, str]) -> None:
     """End to end because zeep reads each member of each answer by the services' own WSDLs."""
     key = own_server.local_key()
     api = Api(own_server.address, key)
@@ -160,7 +160,7 @@ def test_what_only_looks_says_what_rest_says(own_server: Server, things: dict[st
 
 
 def _same(where: str, first: Any, last: Any, seen: Any) -> None:
-    """What is the same before and after has to be the same meanwhile."""
+    """Compares answers, leaving out what changes between two readings."""
     if isinstance(first, dict) and isinstance(last, dict):
         members = seen or {}
         if set(members) == {"entry"}:

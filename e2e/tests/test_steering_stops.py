@@ -1,4 +1,4 @@
-"""When who steered has gone, or may no more, a robot that repeats its last speeds stands in a second."""
+"""A robot that repeats its last speeds stops within a second of each end of steering."""
 
 import time
 from collections.abc import Callable, Iterator
@@ -7,16 +7,16 @@ from contextlib import closing
 import pytest
 
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.ground import User, granted
-from dronemap_e2e.helm import Helm
-from dronemap_e2e.impairer import Impairer, Weather
+from dronemap_e2e.ground_station import User, granted
+from dronemap_e2e.impairer import Impairer, LinkConditions
 from dronemap_e2e.robot import Robot
 from dronemap_e2e.server import Server
+from dronemap_e2e.steering_client import SteeringClient
 from dronemap_e2e.waiting import throughout, wait_for
 
 MOST_SECONDS = 1.0
 OFTEN = 0.005
-TENTH_LOST = Weather(loss=0.1)
+TENTH_LOST = LinkConditions(loss=0.1)
 SYSTEM_ID = 3301
 
 
@@ -47,7 +47,7 @@ def drone(api: Api, robot: Robot) -> Json:
 @pytest.mark.soak
 @pytest.mark.parametrize("times", [25])
 @pytest.mark.parametrize("end", ["page killed", "network cut", "lease taken", "grant revoked"])
-def test_it_stands_within_a_second(
+def test_robot_stops_within_a_second(
     server: Server, api: Api, robot: Robot, drone: Json, end: str, times: int
 ) -> None:
     pilot = granted(server, api, "operator", [drone["id"]])
@@ -55,11 +55,11 @@ def test_it_stands_within_a_second(
     key = pilot.api.new_key("page", "operator")
     took: list[float] = []
     for number in range(times):
-        with closing(Helm(server, key, drone["id"])) as helm:
+        with closing(SteeringClient(server, key, drone["id"])) as steering:
             wait_for(f"it moves, {number}", lambda: robot.speed > 0.3, every=OFTEN)
             acts: dict[str, Callable[[], None]] = {
-                "page killed": helm.kill,
-                "network cut": helm.cut,
+                "page killed": steering.kill,
+                "network cut": steering.cut,
                 "lease taken": lambda: take_over(chief, drone["id"]),
                 "grant revoked": lambda: revoke(api, pilot.name),
             }

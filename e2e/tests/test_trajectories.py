@@ -1,4 +1,4 @@
-"""The judge of flown trajectories must be able to say no."""
+"""The judge of flown trajectories finds visits, crossings and near pairs."""
 
 from dronemap_e2e.trajectories import Disc, Fix, Spot, Track, crossings, doubles, nearest, visits
 
@@ -22,7 +22,7 @@ def flown(*legs: tuple[float, float, float], speed: float = 5.0, stands: float =
     return Track(fixes)
 
 
-def test_who_passes_has_not_visited_and_who_comes_twice_has_twice() -> None:
+def test_visit_needs_slow_passage_and_is_counted_each_time() -> None:
     """Of the judge alone: it starts nothing."""
     stops_at_both = flown((0, 0, 20), (50, 0, 20), (100, 0, 20), (50, 0, 20))
     passes = flown((0, 1, 20), (150, 1, 20))
@@ -32,14 +32,14 @@ def test_who_passes_has_not_visited_and_who_comes_twice_has_twice() -> None:
     assert list(doubles(found)) == ["1"]
 
 
-def test_what_lies_beside_a_start_is_told_from_what_one_came_to() -> None:
+def test_visit_at_take_off_is_marked() -> None:
     """Of the judge alone: it starts nothing."""
     beside = Spot("3", 2, 0, 20)
     found = visits({1: flown((0, 0, 0), (0, 0, 20), (50, 0, 20), (2, 0, 20))}, [*SPOTS, beside])
     assert [(visit.waypoint, visit.at_start) for visit in found] == [("3", True), ("1", False), ("3", False)]
 
 
-def test_fences_bind_below_their_tops_and_between_two_reports() -> None:
+def test_fence_crossing_below_top_and_between_reports() -> None:
     """Of the judge alone: it starts nothing."""
     discs = [Disc("mill", 50, 0, 1, 30)]
     assert crossings({1: flown((0, 0, 20), (100, 0, 20), speed=40)}, discs)[0][:2] == (1, "mill")
@@ -47,7 +47,7 @@ def test_fences_bind_below_their_tops_and_between_two_reports() -> None:
     assert not crossings({1: flown((0, 2, 20), (100, 2, 20))}, discs)
 
 
-def test_two_are_near_where_neither_distance_nor_height_keeps_them_apart() -> None:
+def test_nearest_pair_counts_distance_and_height() -> None:
     """Of the judge alone: it starts nothing."""
     along = flown((0, 0, 20), (100, 0, 20))
     least = nearest({1: along, 2: flown((100, 4, 22), (0, 4, 22))})

@@ -9,9 +9,9 @@ import pytest
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import Point, items, triangle
+from dronemap_e2e.message_recorder import MessageRecorder
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
-from dronemap_e2e.tap import Tap
 from dronemap_e2e.waiting import wait_for
 
 FIRST_SYSTEM_ID = 41
@@ -27,17 +27,17 @@ BOUND = {"uploading", "arming", "starting", "flying", "returning"}
 
 
 @pytest.fixture
-def tap(own_server: Server) -> Iterator[Tap]:
-    opened = Tap(own_server.udp_port)
+def recorder(own_server: Server) -> Iterator[MessageRecorder]:
+    opened = MessageRecorder(own_server.udp_port)
     yield opened
     opened.close()
 
 
 @pytest.fixture
-def simulator(tap: Tap, tmp_path: Path) -> Iterator[Simulator]:
+def simulator(recorder: MessageRecorder, tmp_path: Path) -> Iterator[Simulator]:
     started = Simulator(
         tmp_path / "sim.log",
-        f"udp://127.0.0.1:{tap.port}",
+        f"udp://127.0.0.1:{recorder.port}",
         *("--count", "2", "--speedup", "5", "--sysid", str(FIRST_SYSTEM_ID)),
     )
     yield started
@@ -70,21 +70,21 @@ def start(api: Api, drone: str) -> Json:
     return begun
 
 
-def passed_by(tap: Tap, point: Point) -> list[int]:
+def passed_by(recorder: MessageRecorder, point: Point) -> list[int]:
     """The vehicles that came within some metres of a place, at its height."""
     return sorted(
         {
-            heard.message.get_srcSystem()
-            for heard in tap.heard("GLOBAL_POSITION_INT", up=True)
-            if abs(heard.message.relative_alt / 1000 - point.altitude) < STEP_METRES / 2
-            and point.metres_to(heard.message.lat / 1e7, heard.message.lon / 1e7) < NEAR_METRES
+            recorded.message.get_srcSystem()
+            for recorded in recorder.messages("GLOBAL_POSITION_INT", up=True)
+            if abs(recorded.message.relative_alt / 1000 - point.altitude) < STEP_METRES / 2
+            and point.metres_to(recorded.message.lat / 1e7, recorded.message.lon / 1e7) < NEAR_METRES
         }
     )
 
 
 @pytest.mark.soak
-def test_five_missions_on_two_drones_are_flown_over_crashes_of_server_and_drone(
-    own_server: Server, tap: Tap, simulator: Simulator
+def test_five_virtual_missions_on_two_drones_survive_crashes(
+    own_server: Server, recorder: MessageRecorder, simulator: Simulator
 ) -> None:
     api = Api(own_server.address, own_server.local_key())
     drones = [wait_for("the copter is ready", partial(api.ready, FIRST_SYSTEM_ID + n), 90) for n in range(2)]
@@ -121,10 +121,10 @@ def test_five_missions_on_two_drones_are_flown_over_crashes_of_server_and_drone(
     # A binding of the very moment of the crash may have gone unrecorded.
     assert order == sorted(order) and len(order) >= MISSIONS - 1, order
     for points in plans:
-        flown = [passed_by(tap, point) for point in points]
+        flown = [passed_by(recorder, point) for point in points]
         assert all(len(vehicles) == 1 for vehicles in flown), flown
     rest = virtuals.index(fallen["virtual"])
-    assert passed_by(tap, plans[rest][0]) != passed_by(tap, plans[rest][-1])
+    assert passed_by(recorder, plans[rest][0]) != passed_by(recorder, plans[rest][-1])
 
 
 def _seen_flying(api: Api, virtuals: list[str], flying: dict[str, Json]) -> bool:

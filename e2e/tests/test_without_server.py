@@ -1,4 +1,4 @@
-"""What vehicles do when the server is killed in flight for good, and how soon one started again is heard."""
+"""Vehicles after a kill of the server in flight, for good or until it is started again."""
 
 import time
 from collections.abc import Iterator
@@ -10,12 +10,12 @@ from pathlib import Path
 import pytest
 
 from dronemap_e2e import sitl
-from dronemap_e2e.apart import fixes, nearest
 from dronemap_e2e.api import Api, Json
-from dronemap_e2e.overheard import Overheard
+from dronemap_e2e.datagram_recorder import DatagramRecorder
+from dronemap_e2e.separation import fixes, nearest
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
-from dronemap_e2e.sitl import ArduCopter, may_fly
+from dronemap_e2e.sitl import ArduCopter, arms_and_enters_guided
 from dronemap_e2e.waiting import wait_for
 from dronemap_e2e.walker import beside
 
@@ -37,12 +37,12 @@ HOMES_APART = 20.0
 
 
 @contextmanager
-def overhearing(server: Server) -> Iterator[Overheard]:
-    overheard = Overheard(server.udp_port)
+def recording(server: Server) -> Iterator[DatagramRecorder]:
+    recorder = DatagramRecorder(server.udp_port)
     try:
-        yield overheard
+        yield recorder
     finally:
-        overheard.close()
+        recorder.close()
 
 
 @contextmanager
@@ -66,7 +66,7 @@ def ready(api: Api, count: int, seconds: float = 120) -> list[Json]:
     ]
 
 
-def side_by_side(api: Api, drones: list[Json]) -> None:
+def fly_in_a_row(api: Api, drones: list[Json]) -> None:
     """All at once in the air, under guided control by plain commands."""
     middle = drones[len(drones) // 2]["home"]
 
@@ -92,21 +92,21 @@ def side_by_side(api: Api, drones: list[Json]) -> None:
         list(pool.map(goes, range(len(drones))))
 
 
-def all_come_home(overheard: Overheard, count: int, killed: float) -> None:
+def check_all_return(recorder: DatagramRecorder, count: int, killed: float) -> None:
     """Judged by what was on the wire alone."""
     vehicles = range(FIRST, FIRST + count)
 
     def down() -> bool:
-        return all(not overheard.of(one).states[-1].armed for one in vehicles)
+        return all(not recorder.of(one).states[-1].armed for one in vehicles)
 
     wait_for("all are down", down, 400, every=2)
     until = time.monotonic()
-    logs = {one: overheard.of(one) for one in vehicles}
+    logs = {one: recorder.of(one) for one in vehicles}
     after = {}
     for one, log in logs.items():
         states = log.since(killed)
         assert states[0].height > HEIGHT - 3, f"{one} was not in the air: {states[0]}"
-        last = max(said.at for said in log.told(0, "HEARTBEAT"))
+        last = max(timed.at for timed in log.sent_since(0, "HEARTBEAT"))
         after[one] = next(state.at for state in states if state.mode == RTL) - last
     apart = nearest({one: fixes(log, killed) for one, log in logs.items()}, killed, until)
     tops = {one: max(fix.height for fix in fixes(log, killed)) for one, log in logs.items()}
@@ -118,55 +118,55 @@ def all_come_home(overheard: Overheard, count: int, killed: float) -> None:
 
 
 @pytest.mark.soak
-def test_ten_copters_come_home_by_themselves_each_at_its_height(own_server: Server, tmp_path: Path) -> None:
+def test_ten_copters_return_home_without_server(own_server: Server, tmp_path: Path) -> None:
     """End to end because a process is killed, and what its vehicles do then is seen on the wire alone."""
-    with overhearing(own_server) as overheard, simulated(SIMULATED, overheard.port, tmp_path):
+    with recording(own_server) as recorder, simulated(SIMULATED, recorder.port, tmp_path):
         api = Api(own_server.address, own_server.local_key())
-        side_by_side(api, ready(api, SIMULATED))
+        fly_in_a_row(api, ready(api, SIMULATED))
         own_server.kill()
-        all_come_home(overheard, SIMULATED, time.monotonic())
+        check_all_return(recorder, SIMULATED, time.monotonic())
 
 
 @pytest.mark.soak
 @pytest.mark.skipif(not sitl.BINARY, reason="not proved: DRONEMAP_SITL_ARDUCOPTER names no ArduCopter binary")
-def test_four_real_autopilots_come_home_by_themselves(own_server: Server, tmp_path: Path) -> None:
+def test_four_real_autopilots_return_home_without_server(own_server: Server, tmp_path: Path) -> None:
     """End to end because it is the firmware that decides to come home."""
     with ExitStack() as all_of_it:
-        overheard = all_of_it.enter_context(overhearing(own_server))
+        recorder = all_of_it.enter_context(recording(own_server))
         for number in range(REAL):
             place = beside({"latitude": LATITUDE, "longitude": LONGITUDE}, number * HOMES_APART, 0)
             home = f"{place.latitude:.7f},{place.longitude:.7f},{HOME_AMSL},0"
-            copter = ArduCopter(tmp_path / f"copter-{number}", overheard.port, FIRST + number, home)
+            copter = ArduCopter(tmp_path / f"copter-{number}", recorder.port, FIRST + number, home)
             all_of_it.callback(copter.close)
         api = Api(own_server.address, own_server.local_key())
         drones = ready(api, REAL, 180)
         for drone in drones:
-            wait_for(f"{drone['name']} may fly", partial(may_fly, api, drone["id"]), 120, every=3)
-        side_by_side(api, drones)
+            wait_for(
+                f"{drone['name']} may fly", partial(arms_and_enters_guided, api, drone["id"]), 120, every=3
+            )
+        fly_in_a_row(api, drones)
         own_server.kill()
-        all_come_home(overheard, REAL, time.monotonic())
+        check_all_return(recorder, REAL, time.monotonic())
 
 
 @pytest.mark.soak
-def test_a_server_that_was_killed_is_heard_again_before_vehicles_go_home(
-    own_server: Server, tmp_path: Path
-) -> None:
+def test_restarted_server_sends_heartbeats_before_vehicles_return(own_server: Server, tmp_path: Path) -> None:
     """End to end because a process is killed and started."""
-    took = []
-    with overhearing(own_server) as overheard, simulated(SIMULATED, overheard.port, tmp_path):
+    delays = []
+    with recording(own_server) as recorder, simulated(SIMULATED, recorder.port, tmp_path):
         ready(Api(own_server.address, own_server.local_key()), SIMULATED)
         for _ in range(STARTS):
             own_server.kill()
             killed = time.monotonic()
             own_server.start()
 
-            def heard(since: float = killed) -> list[float] | None:
-                told = [
-                    overheard.of(one).told(since + 0.2, "HEARTBEAT")
+            def received_by_all(since: float = killed) -> list[float] | None:
+                heartbeats = [
+                    recorder.of(one).sent_since(since + 0.2, "HEARTBEAT")
                     for one in range(FIRST, FIRST + SIMULATED)
                 ]
-                return [one[0].at - since for one in told] if all(told) else None
+                return [one[0].at - since for one in heartbeats] if all(heartbeats) else None
 
-            took.append(max(wait_for("all hear it again", heard, 60)))
-    print(f"all heard it again after {', '.join(f'{one:.1f}' for one in took)} s")
-    assert max(took) < STARTED_AGAIN
+            delays.append(max(wait_for("all hear it again", received_by_all, 60)))
+    print(f"all heard it again after {', '.join(f'{one:.1f}' for one in delays)} s")
+    assert max(delays) < STARTED_AGAIN

@@ -13,9 +13,9 @@ from typing import NamedTuple, TypeVar
 import pytest
 
 from dronemap_e2e.api import Api, Json
+from dronemap_e2e.message_recorder import MessageRecorder
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
-from dronemap_e2e.tap import Tap
 from dronemap_e2e.waiting import wait_for
 
 METERS_PER_DEGREE = 111_195.0
@@ -29,7 +29,7 @@ Given = TypeVar("Given")
 Made = TypeVar("Made")
 
 
-def at_once(do: Callable[[Given], Made], things: Sequence[Given]) -> list[Made]:
+def in_parallel(do: Callable[[Given], Made], things: Sequence[Given]) -> list[Made]:
     """One after the other, twenty drones would take twenty times as long."""
     with ThreadPoolExecutor(len(things)) as pool:
         return list(pool.map(do, things))
@@ -67,7 +67,7 @@ def where(api: Api, drone: Json) -> Place:
     return Place(position["latitude"], position["longitude"])
 
 
-def send_off(api: Api, drone: Json, bearing: float) -> Breach:
+def send_away(api: Api, drone: Json, bearing: float) -> Breach:
     """Lets it fly there, and puts a zone in its way once it does."""
     start = where(api, drone)
     target = start.shifted(500, bearing)
@@ -85,25 +85,25 @@ def send_off(api: Api, drone: Json, bearing: float) -> Breach:
     return Breach(drone, answer.json()["id"], middle, time.monotonic())
 
 
-def acted_after(tap: Tap, breach: Breach) -> tuple[float, float]:
-    """When it first said that it is inside (monotonic s), and how long until it was told to hold (s)."""
+def action_delay(recorder: MessageRecorder, breach: Breach) -> tuple[float, float]:
+    """When it first reported to be inside (monotonic s), and seconds until it was ordered to hold."""
     system_id = breach.drone["link"]["systemId"]
     inside = next(
         h.at
-        for h in tap.heard("GLOBAL_POSITION_INT", up=True, since=breach.put)
+        for h in recorder.messages("GLOBAL_POSITION_INT", up=True, since=breach.put)
         if h.message.get_srcSystem() == system_id
         and Place(h.message.lat / 1e7, h.message.lon / 1e7).meters_to(breach.middle) < RADIUS
     )
-    told = next(
+    ordered = next(
         h.at
-        for h in tap.heard("COMMAND_LONG", "SET_MODE", up=False, since=breach.put)
+        for h in recorder.messages("COMMAND_LONG", "SET_MODE", up=False, since=breach.put)
         if h.message.target_system == system_id and (h.kind == "SET_MODE" or h.message.command == 176)
     )
-    return inside, told - inside
+    return inside, ordered - inside
 
 
-def said(api: Api, drone: Json, words: str, since: float) -> float | None:
-    """When it was said last (monotonic s)."""
+def warning_time(api: Api, drone: Json, words: str, since: float) -> float | None:
+    """When a message with these words was first shown since then (monotonic s)."""
     offset = time.time() - time.monotonic()
     times = [
         datetime.fromisoformat(m["at"].replace("Z", "+00:00")).timestamp() - offset
@@ -120,30 +120,34 @@ def take_off(api: Api, drone: Json) -> None:
 
 
 @pytest.fixture
-def fleet(server: Server, api: Api, tap: Tap, tmp_path: Path) -> Iterator[list[Json]]:
+def fleet(server: Server, api: Api, recorder: MessageRecorder, tmp_path: Path) -> Iterator[list[Json]]:
     options = ["--count", str(DRONES), "--sysid", str(FIRST_SYSTEM_ID), "--speedup", "2", "--wind", "6"]
-    simulator = Simulator(tmp_path / "sim.log", f"udp://127.0.0.1:{tap.port}", *options)
+    simulator = Simulator(tmp_path / "sim.log", f"udp://127.0.0.1:{recorder.port}", *options)
     ids = range(FIRST_SYSTEM_ID, FIRST_SYSTEM_ID + DRONES)
     drones = [wait_for("it is ready", partial(api.ready, one), 120) for one in ids]
-    at_once(partial(take_off, api), drones)
+    in_parallel(partial(take_off, api), drones)
     yield drones
     simulator.stop()
 
 
 @pytest.mark.soak
-def test_two_hundred_breaches_are_warned_of_before_and_acted_on_within_a_second(
-    api: Api, tap: Tap, fleet: list[Json]
+def test_two_hundred_zone_breaches_are_warned_of_and_acted_on_within_a_second(
+    api: Api, recorder: MessageRecorder, fleet: list[Json]
 ) -> None:
     chance = random.Random(7)
     delays, ahead = [], []
     for _ in range(ROUNDS):
         ways = [(drone, chance.random() * 2 * math.pi) for drone in fleet]
-        breaches = at_once(lambda way: send_off(api, *way), ways)
+        breaches = in_parallel(lambda way: send_away(api, *way), ways)
         for breach in breaches:
-            wait_for("it is told to hold", partial(said, api, breach.drone, "is told: hold", breach.put), 120)
+            wait_for(
+                "it is told to hold",
+                partial(warning_time, api, breach.drone, "is told: hold", breach.put),
+                120,
+            )
         for breach in breaches:
-            inside, delay = acted_after(tap, breach)
-            warned = said(api, breach.drone, "If it goes on like this it enters", breach.put)
+            inside, delay = action_delay(recorder, breach)
+            warned = warning_time(api, breach.drone, "If it goes on like this it enters", breach.put)
             assert warned is not None and warned < inside, f"no warning before {breach}"
             delays.append(delay)
             ahead.append(inside - warned)

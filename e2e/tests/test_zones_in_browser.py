@@ -46,7 +46,7 @@ def picture(page: Page, name: str) -> None:
         page.screenshot(path=Path(folder) / f"{name}.png")
 
 
-def test_a_supervisor_draws_imports_and_deletes_zones(
+def test_supervisor_draws_imports_and_deletes_zones(
     server: Server, api: Api, page: Page, copter: Json, tmp_path: Path
 ) -> None:
     """End to end because a browser is drawn in, and takes a file."""
@@ -96,12 +96,12 @@ def test_a_supervisor_draws_imports_and_deletes_zones(
     station.shows(imported)
 
     for name in (drawn, imported):
-        station.hands.hold(page, station.button(f"Delete {name}"))
+        station.input_method.hold(page, station.button(f"Delete {name}"))
         expect(station.button(f"Delete {name}")).to_be_hidden()
         assert named(api, name) is None
 
 
-def test_an_operator_sees_zones_and_changes_none(server: Server, api: Api, page: Page, copter: Json) -> None:
+def test_operator_sees_zones_read_only(server: Server, api: Api, page: Page, copter: Json) -> None:
     """End to end because a browser offers nothing that is refused."""
     name = f"School {secrets.token_hex(3)}"
     circle = {"type": "Point", "coordinates": [-31, 11]}

@@ -6,9 +6,9 @@ import sys
 from typing import List, Optional
 
 from .bridge import Bridge, Identity
-from .link import Link, UdpLine
+from .link import Link, UdpLink
 from .robot import Flyer, Robot
-from .web import WebLine
+from .web import WebSocketLink
 
 ROBOT, DRONE = 8, 3
 
@@ -25,12 +25,12 @@ def main(arguments: Optional[List[str]] = None) -> int:
         options.turn,
         options.highest,
     )
-    web = WebLine(options.web) if options.web else None
+    web = WebSocketLink(options.web) if options.web else None
     # What a safe connection keeps to itself no datagram shall tell.
     apart = options.web.startswith("wss:")
     link = Link(
         bridge(identity, options.ros, options.mavros),
-        None if apart else UdpLine((options.host, options.port)),
+        None if apart else UdpLink((options.host, options.port)),
         web,
     )
     for number in (signal.SIGINT, signal.SIGTERM):

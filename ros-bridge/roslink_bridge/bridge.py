@@ -18,7 +18,7 @@ SECONDS = {HEARTBEAT: 1.0, STATUS: 1.0, MOTION: 0.2, SATELLITES: 1.0, SCAN: 0.5,
 TWIST_SECONDS = 0.5
 
 
-class Said(NamedTuple):
+class OutgoingMessage(NamedTuple):
     """A message on its way out, and of what kind it is."""
 
     kind: int
@@ -27,20 +27,20 @@ class Said(NamedTuple):
 
 @dataclass(frozen=True)
 class Identity:
-    """What the robot shows of itself, and what it does at most; ``key`` as the cloud issued it."""
+    """Identity and limits of a robot; ``key`` as the cloud issued it."""
 
     system_id: int
     key: str
     owner: str = ""
     kind: int = 8
     name: str = "robot"
-    fastest: float = 0.5
-    fastest_turn: float = 1.5
-    highest: float = 30.0
+    max_speed: float = 0.5
+    max_turn_rate: float = 1.5
+    max_height: float = 30.0
 
 
 class Bridge:
-    """Call :meth:`tick` at 20 Hz or faster, :meth:`heard` for whatever comes; both answer what to send."""
+    """Call :meth:`step` at 20 Hz or faster and :meth:`receive` for each text; both answer what to send."""
 
     #: Numbers that an order cannot do without.
     NEEDED: ClassVar[Dict[int, Tuple[str, ...]]] = {TWIST: ("vx", "vy", "vz", "wz"), GO_TO: ("x", "y")}
@@ -55,44 +55,44 @@ class Bridge:
         #: What came and was not for this robot, or no order.
         self.refused = 0
 
-    def tick(self, now: float) -> List[Said]:
-        """Stops the robot when its speeds have run out; what is due to be said."""
+    def step(self, now: float) -> List[OutgoingMessage]:
+        """Stops the robot when its speeds have run out; returns the messages that are due."""
         if self._twist_until is not None and now >= self._twist_until:
-            self._stand()
-        said = []
+            self._stop_moving()
+        messages = []
         for kind, seconds in SECONDS.items():
             if now >= self._due[kind]:
                 body = self._body(kind)
                 if body is not None:
                     self._due[kind] = now + seconds
-                    said.append(self._said(kind, body))
-        return said
+                    messages.append(self._message(kind, body))
+        return messages
 
-    def heard(self, text: str, now: float) -> List[Said]:
+    def receive(self, text: str, now: float) -> List[OutgoingMessage]:
         order = self._order(text)
         if order is None:
             self.refused += 1
             return []
-        return self._obey(order["header"]["message_id"], order, now)
+        return self._execute(order["header"]["message_id"], order, now)
 
-    def _obey(self, kind: int, order: Message, now: float) -> List[Said]:
+    def _execute(self, kind: int, order: Message, now: float) -> List[OutgoingMessage]:
         if kind == TWIST:
             self._drive(order, now)
         elif kind == GO_TO:
-            self._stand()
+            self._stop_moving()
             self._robot.go_to(number(order, "x"), number(order, "y"))
         elif kind == STOP:
             self._robot.cancel()
-            self._stand()
+            self._stop_moving()
         elif kind == GET_MAP:
             body = self._body(MAP)
-            return [] if body is None else [self._said(MAP, body)]
+            return [] if body is None else [self._message(MAP, body)]
         return []
 
     def stop(self) -> None:
         """The bridge ends: so does the way that the cloud has sent the robot."""
         self._robot.cancel()
-        self._stand()
+        self._stop_moving()
 
     def _order(self, text: str) -> Optional[Message]:
         try:
@@ -108,7 +108,7 @@ class Bridge:
         return order if mine and whole and isinstance(kind, int) else None
 
     def _drive(self, order: Message, now: float) -> None:
-        most, most_turn = self._identity.fastest, self._identity.fastest_turn
+        most, most_turn = self._identity.max_speed, self._identity.max_turn_rate
         speeds = Speeds(
             _bounded(number(order, "vx"), most),
             _bounded(number(order, "vy"), most),
@@ -116,12 +116,12 @@ class Bridge:
             _bounded(number(order, "wz"), most_turn),
         )
         if speeds == Speeds():
-            self._stand()
+            self._stop_moving()
         else:
             self._twist_until = now + TWIST_SECONDS
             self._robot.drive(speeds)
 
-    def _stand(self) -> None:
+    def _stop_moving(self) -> None:
         self._twist_until = None
         self._robot.drive(Speeds())
 
@@ -201,7 +201,7 @@ class Bridge:
             "resolution": area.resolution,
         }
 
-    def _said(self, kind: int, body: Message) -> Said:
+    def _message(self, kind: int, body: Message) -> OutgoingMessage:
         self._sequence += 1
         header: Message = {
             "roslink_version": 1,
@@ -213,11 +213,11 @@ class Bridge:
         }
         if self._identity.owner:
             header["owner_id"] = self._identity.owner
-        return Said(kind, json.dumps({"header": header, **body}, allow_nan=False))
+        return OutgoingMessage(kind, json.dumps({"header": header, **body}, allow_nan=False))
 
 
 def known(body: Dict[str, Optional[float]]) -> Message:
-    """What is not known is not said."""
+    """The body without members that are not known."""
     return {name: value for name, value in body.items() if value is not None}
 
 

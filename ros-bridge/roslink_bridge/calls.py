@@ -11,8 +11,8 @@ MOST_WAITING = 4
 Call = Tuple[str, Callable[[], Any]]
 
 
-class Calls:
-    """The cloud asks again where nothing shows, so what finds no room here is left out."""
+class ServiceCalls:
+    """Calls services one after the other; what finds no room is left out, as the cloud asks again."""
 
     def __init__(self, failures: Tuple[Type[Exception], ...]) -> None:
         self._failures = failures

@@ -2,7 +2,7 @@
 
 from typing import Any, Callable, ClassVar, Dict, List, Optional, Tuple
 
-from .bridge import GO_TO, SATELLITES, STATUS, Bridge, Identity, Message, Said, known, number
+from .bridge import GO_TO, SATELLITES, STATUS, Bridge, Identity, Message, OutgoingMessage, known, number
 from .robot import Flyer
 
 TAKE_OFF, LAND, ARM, DISARM, SET_MODE = 102, 103, 104, 105, 106
@@ -24,8 +24,8 @@ class FlyingBridge(Bridge):
     def _kinds(self) -> Dict[int, Callable[[], Optional[Message]]]:
         return {**super()._kinds(), STATUS: self._flight, SATELLITES: self._satellites}
 
-    def _obey(self, kind: int, order: Message, now: float) -> List[Said]:
-        if kind == TAKE_OFF and 0 < number(order, "altitude") <= self._identity.highest:
+    def _execute(self, kind: int, order: Message, now: float) -> List[OutgoingMessage]:
+        if kind == TAKE_OFF and 0 < number(order, "altitude") <= self._identity.max_height:
             self._flyer.take_off(number(order, "altitude"))
         elif kind == SET_MODE:
             self._flyer.set_mode(int(number(order, "flightMode")))
@@ -36,16 +36,16 @@ class FlyingBridge(Bridge):
         elif kind in (TAKE_OFF, GO_TO):
             self.refused += 1
         else:
-            return super()._obey(kind, order, now)
+            return super()._execute(kind, order, now)
         return []
 
     def _flight(self) -> Optional[Message]:
-        """Thousands say how the system stands, hundreds whether it is armed, the rest is the mode."""
+        """State of a drone in one number: thousands the system's state, hundreds armed, the rest the mode."""
         battery, flight = self._flyer.battery(), self._flyer.flight()
-        said: Dict[str, Any] = {} if battery is None else known(self._charge(battery))
+        status: Dict[str, Any] = {} if battery is None else known(self._charge(battery))
         if flight is not None:
-            said["state"] = 1000 * flight.state + 100 * flight.armed + flight.mode
-        return said or None
+            status["state"] = 1000 * flight.state + 100 * flight.armed + flight.mode
+        return status or None
 
     def _satellites(self) -> Optional[Message]:
         seen = self._flyer.satellites()

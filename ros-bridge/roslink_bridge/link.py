@@ -1,28 +1,28 @@
-"""The links to a cloud, which drive a bridge until it is told to end."""
+"""The links to a cloud, which drive a bridge until it is ended."""
 
 import socket
 import threading
 import time
 from typing import List, Optional, Tuple
 
-from .bridge import HEARTBEAT, Bridge, Said
-from .web import WebLine
+from .bridge import HEARTBEAT, Bridge, OutgoingMessage
+from .web import WebSocketLink
 
-TURN_SECONDS = 0.02
+STEP_SECONDS = 0.02
 LARGEST_DATAGRAM = 65_507
 
 
-class UdpLine:
+class UdpLink:
     """Datagrams to and from one server."""
 
     def __init__(self, server: Tuple[str, int]) -> None:
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self._socket.connect(server)
-        self._socket.settimeout(TURN_SECONDS)
+        self._socket.settimeout(STEP_SECONDS)
         #: What was too large for a datagram, or found no way out.
         self.dropped = 0
 
-    def take(self, ended: threading.Event) -> List[str]:
+    def receive(self, ended: threading.Event) -> List[str]:
         """Waits for a moment."""
         try:
             return [self._socket.recv(65_535).decode("utf-8", "replace")]
@@ -30,7 +30,7 @@ class UdpLine:
             return []
         except ConnectionRefusedError:
             # Nobody is there just now; the next heartbeat tries again.
-            ended.wait(TURN_SECONDS)
+            ended.wait(STEP_SECONDS)
             return []
 
     def send(self, text: str) -> None:
@@ -49,12 +49,12 @@ class UdpLine:
 
 
 class Link:
-    """Carries what the bridge and the cloud say; the robot stands when it ends, however that comes.
+    """Carries messages between bridge and cloud; the robot stops when it ends, however that comes.
 
     Where there is a WebSocket all goes there, and heartbeats by UDP, too; while it is down, all goes by UDP.
     """
 
-    def __init__(self, bridge: Bridge, udp: Optional[UdpLine], web: Optional[WebLine] = None) -> None:
+    def __init__(self, bridge: Bridge, udp: Optional[UdpLink], web: Optional[WebSocketLink] = None) -> None:
         self._bridge = bridge
         self._udp = udp
         self._web = web
@@ -63,9 +63,9 @@ class Link:
     def run(self) -> None:
         try:
             while not self._stop.is_set():
-                self._send(self._bridge.tick(time.monotonic()))
-                for text in self._listen():
-                    self._send(self._bridge.heard(text, time.monotonic()))
+                self._send(self._bridge.step(time.monotonic()))
+                for text in self._receive():
+                    self._send(self._bridge.receive(text, time.monotonic()))
         finally:
             self._bridge.stop()
             for line in (self._udp, self._web):
@@ -76,16 +76,16 @@ class Link:
         """From any thread."""
         self._stop.set()
 
-    def _listen(self) -> List[str]:
-        heard = [] if self._udp is None else self._udp.take(self._stop)
+    def _receive(self) -> List[str]:
+        received = [] if self._udp is None else self._udp.receive(self._stop)
         if self._web is not None:
             if self._udp is None:
-                self._stop.wait(TURN_SECONDS)
-            heard += self._web.take()
-        return heard
+                self._stop.wait(STEP_SECONDS)
+            received += self._web.receive()
+        return received
 
-    def _send(self, said: List[Said]) -> None:
-        for one in said:
+    def _send(self, messages: List[OutgoingMessage]) -> None:
+        for one in messages:
             by_web = self._web is not None and self._web.send(one.text)
             if self._udp is not None and (not by_web or one.kind == HEARTBEAT):
                 self._udp.send(one.text)

@@ -1,4 +1,4 @@
-"""What mavros says and takes, the same in both versions of ROS, as the bridge has it."""
+"""Converts messages of mavros, the same in both versions of ROS."""
 
 import math
 from typing import Any, Dict, Optional
@@ -31,7 +31,7 @@ NO_FIX, FIX, CORRECTED = -1, 3, 4
 
 
 def flight_of(state: Any) -> Optional[Flight]:
-    """Of a mavros_msgs/State; what it says without its flight controller is not of it."""
+    """Flight of a mavros_msgs/State; None without a flight controller."""
     if state is None or not state.connected:
         return None
     return Flight(state.system_status, bool(state.armed), NUMBERS.get(state.mode, OTHER_MODE))
@@ -49,7 +49,7 @@ def satellites_of(fix: Any, visible: Any, altitude: Any) -> Optional[Satellites]
     return Satellites(corrected, fix.latitude, fix.longitude, above, number)
 
 
-def aim(target: Any, speeds: Speeds) -> None:
+def fill_target(target: Any, speeds: Speeds) -> None:
     """Fills a mavros_msgs/PositionTarget."""
     target.coordinate_frame, target.type_mask = OWN_AXES, SPEEDS_ONLY
     target.velocity.x, target.velocity.y, target.velocity.z = speeds.forward, speeds.left, speeds.up

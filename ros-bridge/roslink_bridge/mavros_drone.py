@@ -1,4 +1,4 @@
-"""What a drone behind mavros has told on its topics, in whichever version of ROS."""
+"""A drone behind mavros, read from its topics, in either version of ROS."""
 
 from dataclasses import replace
 from typing import Any, Optional, Tuple
@@ -7,15 +7,15 @@ from mavros_msgs.msg import Altitude, PositionTarget, State
 from sensor_msgs.msg import NavSatFix
 from std_msgs.msg import Float64, UInt32
 
-from .heard import HeardRobot
-from .mavros import aim, flight_of, satellites_of
+from .mavros import fill_target, flight_of, satellites_of
 from .robot import Flight, Flyer, Pose, Satellites, Speeds
+from .topic_robot import TopicRobot
 
 STATE, ALTITUDE, HEIGHT = "mavros/state", "mavros/altitude", "mavros/global_position/rel_alt"
 FIX, VISIBLE = "mavros/global_position/raw/fix", "mavros/global_position/raw/satellites"
 
 
-class MavrosDrone(HeardRobot, Flyer):
+class MavrosDrone(TopicRobot, Flyer):
     """Its place is that of its flight controller, which localises itself."""
 
     ODOMETRY, BATTERY = "mavros/local_position/odom", "mavros/battery"
@@ -46,5 +46,5 @@ class MavrosDrone(HeardRobot, Flyer):
     def _target(self, stamp: Any, speeds: Speeds) -> Any:
         target: Any = PositionTarget()
         target.header.stamp = stamp
-        aim(target, speeds)
+        fill_target(target, speeds)
         return target

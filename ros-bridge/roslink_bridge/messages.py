@@ -3,35 +3,33 @@
 import math
 from typing import Any, Optional
 
-from .frames import Turned
+from .frames import Pose2D
 from .robot import Battery, Map, Pose, Scan, Speeds
 
 
-def turned_of(place: Any, turned: Any) -> Turned:
-    """Of a position or translation, and a quaternion."""
-    yaw = math.atan2(
-        2 * (turned.w * turned.z + turned.x * turned.y), 1 - 2 * (turned.y * turned.y + turned.z * turned.z)
-    )
-    return Turned(place.x, place.y, yaw)
+def pose2d_of(place: Any, pose: Any) -> Pose2D:
+    """Pose of a position or translation, and a quaternion."""
+    yaw = math.atan2(2 * (pose.w * pose.z + pose.x * pose.y), 1 - 2 * (pose.y * pose.y + pose.z * pose.z))
+    return Pose2D(place.x, place.y, yaw)
 
 
-def placed_of(message: Any) -> Turned:
-    """Of what says a pose with its uncertainty: an odometry, or AMCL."""
-    return turned_of(message.pose.pose.position, message.pose.pose.orientation)
+def map_pose_of(message: Any) -> Pose2D:
+    """Pose of a message with uncertainty: an odometry, or AMCL's."""
+    return pose2d_of(message.pose.pose.position, message.pose.pose.orientation)
 
 
 def pose_of(message: Any) -> Pose:
-    there = placed_of(message)
+    there = map_pose_of(message)
     along, about = message.twist.twist.linear, message.twist.twist.angular
     return Pose(there.x, there.y, there.yaw, along.x, along.y, about.z, up=along.z)
 
 
-def map_shift_of(message: Any, odometry_frame: str) -> Optional[Turned]:
-    """How the frame of the odometry lies in that of the map, where a message of tf says so."""
+def map_shift_of(message: Any, odometry_frame: str) -> Optional[Pose2D]:
+    """Transform from the odometry's frame to the map's, if a message of tf has it."""
     for one in message.transforms:
         names = (one.header.frame_id.lstrip("/"), one.child_frame_id.lstrip("/"))
         if names == ("map", odometry_frame.lstrip("/")):
-            return turned_of(one.transform.translation, one.transform.rotation)
+            return pose2d_of(one.transform.translation, one.transform.rotation)
     return None
 
 
@@ -63,6 +61,6 @@ def battery_of(message: Any) -> Optional[Battery]:
     return Battery(100 * message.percentage if known else None, volts, amperes)
 
 
-def put(twist: Any, speeds: Speeds) -> None:
+def fill_twist(twist: Any, speeds: Speeds) -> None:
     twist.linear.x, twist.linear.y, twist.linear.z = speeds.forward, speeds.left, speeds.up
     twist.angular.z = speeds.turn

@@ -1,4 +1,4 @@
-"""What the bridge needs of a robot, whichever version of ROS it runs; metres, radians, seconds."""
+"""Interfaces of robots to the bridge, for either version of ROS; metres, radians, seconds."""
 
 from dataclasses import dataclass, field
 from typing import List, Optional, Protocol
@@ -61,7 +61,7 @@ class Battery:
 
 @dataclass(frozen=True)
 class Flight:
-    """What a flight controller says: its state as MAVLink numbers it, its mode as ArduCopter does."""
+    """State of a flight controller: its state as MAVLink numbers it, its mode as ArduCopter does."""
 
     state: int
     armed: bool
@@ -80,7 +80,7 @@ class Satellites:
 
 
 class Robot(Protocol):
-    """The newest of everything; None where it has not told yet."""
+    """A robot with the newest of its data; None where there is none yet."""
 
     def pose(self) -> Optional[Pose]: ...
 
@@ -103,7 +103,7 @@ class Robot(Protocol):
 
 
 class Flyer(Robot, Protocol):
-    """A drone; what it is told is done some time later, or not at all, and nothing here waits for it."""
+    """A drone; orders are carried out some time later, or not at all, and nothing here waits for it."""
 
     def flight(self) -> Optional[Flight]: ...
 
@@ -112,7 +112,7 @@ class Flyer(Robot, Protocol):
     def arm(self, wanted: bool) -> None: ...
 
     def set_mode(self, number: int) -> None:
-        """As ArduCopter numbers it."""
+        """Sets a mode by ArduCopter's number."""
 
     def take_off(self, height: float) -> None: ...
 

@@ -16,41 +16,41 @@ try:
 except ImportError:  # then what localises it has to say so itself
     TFMessage = None
 
-from .heard import IMAGE, MAP, SCAN, HeardRobot
-from .messages import put
+from .messages import fill_twist
 from .robot import Speeds
+from .topic_robot import IMAGE, MAP, SCAN, TopicRobot
 
 
-class Ros1Robot(HeardRobot):
+class Ros1Robot(TopicRobot):
     """Messages come on rospy's threads."""
 
     def __init__(self) -> None:
         super().__init__()
         rospy.init_node("roslink_bridge", disable_signals=True)
         for topic, kind in ((SCAN, LaserScan), (IMAGE, CompressedImage), (MAP, OccupancyGrid)):
-            self._keep(topic, kind)
-        self._keep(self.BATTERY, BatteryState)
-        rospy.Subscriber(self.ODOMETRY, Odometry, self._moved, queue_size=1)
-        rospy.Subscriber("amcl_pose", PoseWithCovarianceStamped, self._placed, queue_size=1)
+            self._subscribe(topic, kind)
+        self._subscribe(self.BATTERY, BatteryState)
+        rospy.Subscriber(self.ODOMETRY, Odometry, self._on_odometry, queue_size=1)
+        rospy.Subscriber("amcl_pose", PoseWithCovarianceStamped, self._on_pose, queue_size=1)
         if TFMessage is not None:
-            rospy.Subscriber("/tf", TFMessage, self._shifted, queue_size=10)
+            rospy.Subscriber("/tf", TFMessage, self._on_transform, queue_size=10)
         self._speeds = rospy.Publisher("cmd_vel", Twist, queue_size=1)
         self._goal = rospy.Publisher("move_base_simple/goal", PoseStamped, queue_size=1)
         self._cancel = rospy.Publisher("move_base/cancel", GoalID, queue_size=1) if GoalID else None
 
-    def _keep(self, topic: str, kind: Any) -> None:
-        rospy.Subscriber(topic, kind, self._keeper(topic), queue_size=1)
+    def _subscribe(self, topic: str, kind: Any) -> None:
+        rospy.Subscriber(topic, kind, self._newest_callback(topic), queue_size=1)
 
     def _seconds_of(self, message: Any) -> float:
         return float(message.header.stamp.to_sec())
 
     def drive(self, speeds: Speeds) -> None:
         twist = Twist()
-        put(twist, speeds)
+        fill_twist(twist, speeds)
         self._speeds.publish(twist)
 
     def go_to(self, x: float, y: float) -> None:
-        goal = self._aimed(PoseStamped(), x, y)
+        goal = self._goal_pose(PoseStamped(), x, y)
         goal.header.stamp = rospy.Time.now()
         self._goal.publish(goal)
 

@@ -4,7 +4,7 @@ import rospy
 from mavros_msgs.msg import PositionTarget
 from mavros_msgs.srv import CommandBool, CommandTOL, SetMode
 
-from .calls import Calls
+from .calls import ServiceCalls
 from .mavros import MODES
 from .mavros_drone import MavrosDrone
 from .robot import Speeds
@@ -15,13 +15,13 @@ class Ros1Drone(MavrosDrone, Ros1Robot):
     def __init__(self) -> None:
         super().__init__()
         for topic, kind in self.TOPICS:
-            self._keep(topic, kind)
+            self._subscribe(topic, kind)
         self._aim = rospy.Publisher(self.TARGET, PositionTarget, queue_size=1)
         self._arm = rospy.ServiceProxy("mavros/cmd/arming", CommandBool)
         self._mode = rospy.ServiceProxy("mavros/set_mode", SetMode)
         self._take_off = rospy.ServiceProxy("mavros/cmd/takeoff", CommandTOL)
         self._land = rospy.ServiceProxy("mavros/cmd/land", CommandTOL)
-        self._calls = Calls((rospy.ServiceException, rospy.ROSException))
+        self._calls = ServiceCalls((rospy.ServiceException, rospy.ROSException))
 
     def drive(self, speeds: Speeds) -> None:
         self._aim.publish(self._target(rospy.Time.now(), speeds))

@@ -10,12 +10,12 @@ from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
 from sensor_msgs.msg import BatteryState, CompressedImage, LaserScan
 from tf2_msgs.msg import TFMessage
 
-from .heard import IMAGE, MAP, SCAN, HeardRobot
-from .messages import put
+from .messages import fill_twist
 from .robot import Speeds
+from .topic_robot import IMAGE, MAP, SCAN, TopicRobot
 
 
-class Ros2Robot(HeardRobot):
+class Ros2Robot(TopicRobot):
     """Messages come on a thread of its own."""
 
     def __init__(self) -> None:
@@ -29,17 +29,17 @@ class Ros2Robot(HeardRobot):
             (MAP, OccupancyGrid, latched),
             (self.BATTERY, BatteryState, qos_profile_sensor_data),
         ):
-            self._node.create_subscription(kind, topic, self._keeper(topic), quality)
-        hear = self._node.create_subscription
-        hear(Odometry, self.ODOMETRY, self._moved, qos_profile_sensor_data)
-        hear(PoseWithCovarianceStamped, "amcl_pose", self._placed, latched)
-        hear(TFMessage, "/tf", self._shifted, 10)
+            self._node.create_subscription(kind, topic, self._newest_callback(topic), quality)
+        subscribe = self._node.create_subscription
+        subscribe(Odometry, self.ODOMETRY, self._on_odometry, qos_profile_sensor_data)
+        subscribe(PoseWithCovarianceStamped, "amcl_pose", self._on_pose, latched)
+        subscribe(TFMessage, "/tf", self._on_transform, 10)
         self._speeds = self._node.create_publisher(Twist, "cmd_vel", 1)
         self._goal = self._node.create_publisher(PoseStamped, "goal_pose", 1)
         self._begin()
 
     def _begin(self) -> None:
-        """Nothing is heard before all of it is made."""
+        """No message is received before all of it is made."""
         threading.Thread(target=rclpy.spin, args=(self._node,), name="rclpy", daemon=True).start()
 
     def _seconds_of(self, message: Any) -> float:
@@ -51,7 +51,7 @@ class Ros2Robot(HeardRobot):
 
     def drive(self, speeds: Speeds) -> None:
         twist = Twist()
-        put(twist, speeds)
+        fill_twist(twist, speeds)
         self._speeds.publish(twist)
 
     def go_to(self, x: float, y: float) -> None:
@@ -64,6 +64,6 @@ class Ros2Robot(HeardRobot):
             self._goal.publish(self._pose(pose.x, pose.y))
 
     def _pose(self, x: float, y: float) -> Any:
-        goal = self._aimed(PoseStamped(), x, y)
+        goal = self._goal_pose(PoseStamped(), x, y)
         goal.header.stamp = self._now()
         return goal

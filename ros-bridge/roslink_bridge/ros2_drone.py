@@ -18,7 +18,7 @@ LOG = logging.getLogger(__name__)
 class Ros2Drone(MavrosDrone, Ros2Robot):
     def _begin(self) -> None:
         for topic, kind in self.TOPICS:
-            self._node.create_subscription(kind, topic, self._keeper(topic), qos_profile_sensor_data)
+            self._node.create_subscription(kind, topic, self._newest_callback(topic), qos_profile_sensor_data)
         self._aim = self._node.create_publisher(PositionTarget, self.TARGET, 1)
         self._arm = self._node.create_client(CommandBool, "mavros/cmd/arming")
         self._mode = self._node.create_client(SetMode, "mavros/set_mode")

@@ -10,7 +10,7 @@ PATIENCE_SECONDS = 10
 LARGEST_ORDER = 65_535
 
 
-class WebLine:
+class WebSocketLink:
     """Connects again after one second, then two, and so on up to ten. Needs the package ``websockets``."""
 
     def __init__(self, address: str) -> None:
@@ -20,13 +20,13 @@ class WebLine:
         self._connect: Any = connect
         self._failures = (OSError, WebSocketException)
         self._address = address
-        self._heard: "queue.Queue[str]" = queue.Queue(MOST_WAITING)
+        self._received: "queue.Queue[str]" = queue.Queue(MOST_WAITING)
         self._out: "queue.Queue[Optional[str]]" = queue.Queue(MOST_WAITING)
         self._ended = threading.Event()
         self._up = threading.Event()
         #: What the network had no room for.
         self.dropped = 0
-        threading.Thread(target=self._keep, name="web", daemon=True).start()
+        threading.Thread(target=self._keep_connected, name="web", daemon=True).start()
 
     def send(self, text: str) -> bool:
         """False while there is no connection."""
@@ -38,18 +38,18 @@ class WebLine:
             self.dropped += 1
         return True
 
-    def take(self) -> List[str]:
-        """What came since it was last asked."""
+    def receive(self) -> List[str]:
+        """The texts received since the last call."""
         taken = []
-        while not self._heard.empty():
-            taken.append(self._heard.get_nowait())
+        while not self._received.empty():
+            taken.append(self._received.get_nowait())
         return taken
 
     def close(self) -> None:
         self._ended.set()
         self._up.clear()
 
-    def _keep(self) -> None:
+    def _keep_connected(self) -> None:
         tries = 0
         while not self._ended.is_set():
             try:
@@ -57,18 +57,18 @@ class WebLine:
                     self._address, open_timeout=PATIENCE_SECONDS, close_timeout=1, max_size=LARGEST_ORDER
                 ) as connection:
                     tries = 1
-                    self._carry(connection)
+                    self._exchange(connection)
             except self._failures:
                 # Nobody is there just now; UDP carries on meanwhile.
                 tries = min(tries + 1, PATIENCE_SECONDS)
             self._up.clear()
             self._ended.wait(tries)
 
-    def _carry(self, connection: Any) -> None:
+    def _exchange(self, connection: Any) -> None:
         # What was said before is old.
         while not self._out.empty():
             self._out.get_nowait()
-        listener = threading.Thread(target=self._listen, args=(connection,), name="web-in", daemon=True)
+        listener = threading.Thread(target=self._receive, args=(connection,), name="web-in", daemon=True)
         self._up.set()
         listener.start()
         while listener.is_alive() and not self._ended.is_set():
@@ -78,11 +78,11 @@ class WebLine:
                 continue
             connection.send(text)
 
-    def _listen(self, connection: Any) -> None:
+    def _receive(self, connection: Any) -> None:
         try:
             for text in connection:
                 # With no room the newest is left out, as on any link: the next second says it again.
-                self._heard.put(str(text), timeout=PATIENCE_SECONDS)
+                self._received.put(str(text), timeout=PATIENCE_SECONDS)
         except self._failures + (queue.Full,):
             # The one who sends ends the connection and begins a new one.
             return

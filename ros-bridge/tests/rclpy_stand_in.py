@@ -1,4 +1,4 @@
-"""What the bridge uses of rclpy and of the messages of ROS 2, as far as it can be had without them."""
+"""Stand-ins for the parts of rclpy and of the messages of ROS 2 that the bridge uses."""
 
 import sys
 import threading
@@ -53,15 +53,15 @@ class Client:
 
 class Publisher:
     def __init__(self) -> None:
-        self.said: List[Any] = []
+        self.published: List[Any] = []
 
     def publish(self, message: Any) -> None:
-        self.said.append(message)
+        self.published.append(message)
 
 
 class Node:
     def __init__(self) -> None:
-        self.heard: Dict[str, Tuple[Callable[[Any], None], Any]] = {}
+        self.subscriptions: Dict[str, Tuple[Callable[[Any], None], Any]] = {}
         self.publishers: Dict[str, Publisher] = {}
         self.clients: Dict[str, Client] = {}
 
@@ -69,7 +69,7 @@ class Node:
         return self.clients.setdefault(name, Client())
 
     def create_subscription(self, kind: Any, topic: str, callback: Callable[[Any], None], qos: Any) -> None:
-        self.heard[topic] = (callback, qos)
+        self.subscriptions[topic] = (callback, qos)
 
     def create_publisher(self, kind: Any, topic: str, depth: int) -> Publisher:
         return self.publishers.setdefault(topic, Publisher())
@@ -77,8 +77,8 @@ class Node:
     def get_clock(self) -> Any:
         return SimpleNamespace(now=lambda: SimpleNamespace(to_msg=lambda: "now"))
 
-    def hears(self, topic: str, message: Any) -> None:
-        self.heard[topic][0](message)
+    def deliver(self, topic: str, message: Any) -> None:
+        self.subscriptions[topic][0](message)
 
 
 def installed() -> Iterator[Node]:

@@ -1,4 +1,4 @@
-"""The bridge without sockets and without ROS: what it says, obeys, refuses, and that it stops by itself."""
+"""The bridge without sockets and without ROS: its messages, orders, refusals, and that it stops by itself."""
 
 import base64
 import json
@@ -8,7 +8,7 @@ from typing import Any, Dict, List
 
 import pytest
 
-from roslink_bridge.bridge import GET_MAP, GO_TO, HEARTBEAT, STOP, TWIST, Bridge, Identity, Said
+from roslink_bridge.bridge import GET_MAP, GO_TO, HEARTBEAT, STOP, TWIST, Bridge, Identity, OutgoingMessage
 from roslink_bridge.picture import png
 from roslink_bridge.robot import Battery, Map, Pose, Scan, Speeds
 
@@ -26,14 +26,14 @@ def twist(forward: float, turn: float = 0.0) -> str:
     return order(TWIST, vx=forward, vy=0, vz=0, wx=0, wy=0, wz=turn)
 
 
-def of(said: Said) -> Dict[str, Any]:
-    message: Dict[str, Any] = json.loads(said.text)
-    assert message["header"]["message_id"] == said.kind
+def of(published: OutgoingMessage) -> Dict[str, Any]:
+    message: Dict[str, Any] = json.loads(published.text)
+    assert message["header"]["message_id"] == published.kind
     return message
 
 
-def said(bridge: Bridge, now: float) -> Dict[int, Dict[str, Any]]:
-    return {m["header"]["message_id"]: m for m in map(of, bridge.tick(now))}
+def published(bridge: Bridge, now: float) -> Dict[int, Dict[str, Any]]:
+    return {m["header"]["message_id"]: m for m in map(of, bridge.step(now))}
 
 
 @pytest.fixture
@@ -46,13 +46,13 @@ def bridge(robot: StandIn) -> Bridge:
     return Bridge(IDENTITY, robot)
 
 
-def test_says_what_it_knows_and_nothing_else(bridge: Bridge, robot: StandIn) -> None:
-    assert list(said(bridge, 0)) == [0]
+def test_sends_only_known_data(bridge: Bridge, robot: StandIn) -> None:
+    assert list(published(bridge, 0)) == [0]
     robot.newest_pose = Pose(1, 2, 0.5, forward=0.3)
     robot.newest_scan = Scan(-1, 0.5, 0.1, 3.5, [1.23456, math.inf, math.nan])
     robot.newest_image = b"\xff\xd8\xff picture"
     robot.charge = Battery(83.4)
-    messages = said(bridge, 1)
+    messages = published(bridge, 1)
 
     assert sorted(messages) == [0, 1, 2, 4, 5]
     assert messages[2]["z"] == 0.5
@@ -64,52 +64,52 @@ def test_says_what_it_knows_and_nothing_else(bridge: Bridge, robot: StandIn) -> 
     assert [m["header"]["sequence_number"] for m in messages.values()] == [2, 3, 4, 5, 6]
 
 
-def test_keeps_its_rhythm(bridge: Bridge, robot: StandIn) -> None:
+def test_message_rates(bridge: Bridge, robot: StandIn) -> None:
     robot.newest_pose = Pose(0, 0, 0)
     kinds: List[int] = []
     for turn in range(100):
-        kinds += said(bridge, turn * 0.05)
+        kinds += published(bridge, turn * 0.05)
     assert kinds.count(0) == 5
     assert kinds.count(2) in range(20, 26)
 
 
-def test_drives_as_long_as_it_is_told_and_stops_by_itself(bridge: Bridge, robot: StandIn) -> None:
-    bridge.heard(twist(0.4, 9), 10)
+def test_drives_while_commanded_and_stops_after_timeout(bridge: Bridge, robot: StandIn) -> None:
+    bridge.receive(twist(0.4, 9), 10)
     assert robot.driven == [Speeds(0.4, 0, 0, 1.5)], "bounded"
-    bridge.tick(10.4)
-    bridge.heard(twist(0.4), 10.4)
-    bridge.tick(10.8)
+    bridge.step(10.4)
+    bridge.receive(twist(0.4), 10.4)
+    bridge.step(10.8)
     assert robot.driven[-1] != STILL
-    bridge.tick(10.91)
+    bridge.step(10.91)
     assert robot.driven[-1] == STILL
     count = len(robot.driven)
-    bridge.tick(20)
+    bridge.step(20)
     assert len(robot.driven) == count, "said once"
 
 
-def test_stands_at_zeros_at_once_and_when_it_ends(bridge: Bridge, robot: StandIn) -> None:
-    bridge.heard(twist(-0.2), 1)
-    bridge.heard(twist(0), 1.1)
+def test_stops_at_zero_speeds_and_at_the_end(bridge: Bridge, robot: StandIn) -> None:
+    bridge.receive(twist(-0.2), 1)
+    bridge.receive(twist(0), 1.1)
     assert robot.driven[-1] == STILL
-    bridge.heard(twist(0.2), 2)
+    bridge.receive(twist(0.2), 2)
     bridge.stop()
     assert robot.driven[-1] == STILL
     assert robot.goals == [None]
 
 
-def test_hears_the_cloud_and_does_nothing_of_it(bridge: Bridge, robot: StandIn) -> None:
-    bridge.heard(twist(0.2), 1)
-    assert bridge.heard(order(HEARTBEAT, type=7, name="dronemap", system_status=2, mode=0), 1.1) == []
+def test_cloud_heartbeats_cause_no_action(bridge: Bridge, robot: StandIn) -> None:
+    bridge.receive(twist(0.2), 1)
+    assert bridge.receive(order(HEARTBEAT, type=7, name="dronemap", system_status=2, mode=0), 1.1) == []
     assert bridge.refused == 0
     assert robot.driven == [Speeds(0.2)]
 
 
-def test_goes_and_gives_up_its_way_at_an_emergency_stop(bridge: Bridge, robot: StandIn) -> None:
-    bridge.heard(order(GO_TO, x=1.5, y=-2, z=0, frame_type="false"), 1)
-    bridge.heard(order(STOP), 2)
+def test_goal_is_cancelled_by_emergency_stop(bridge: Bridge, robot: StandIn) -> None:
+    bridge.receive(order(GO_TO, x=1.5, y=-2, z=0, frame_type="false"), 1)
+    bridge.receive(order(STOP), 2)
     assert robot.goals == [(1.5, -2.0), None]
     assert robot.driven[-1] == STILL
-    bridge.heard(twist(0.1), 3)
+    bridge.receive(twist(0.1), 3)
     assert robot.driven[-1] == Speeds(0.1), "it listens on after a stop"
 
 
@@ -130,24 +130,26 @@ def test_goes_and_gives_up_its_way_at_an_emergency_stop(bridge: Bridge, robot: S
         "[" * 5000,
     ],
 )
-def test_refuses_and_counts_what_is_not_for_it(bridge: Bridge, robot: StandIn, text: str) -> None:
-    assert bridge.heard(text, 1) == []
+def test_foreign_and_malformed_messages_are_refused_and_counted(
+    bridge: Bridge, robot: StandIn, text: str
+) -> None:
+    assert bridge.receive(text, 1) == []
     assert robot.driven == []
     assert robot.goals == []
     assert bridge.refused == 1
 
 
-def test_answers_with_its_map_as_a_picture(bridge: Bridge, robot: StandIn) -> None:
-    assert bridge.heard(order(GET_MAP), 1) == []
+def test_map_request_is_answered_with_png(bridge: Bridge, robot: StandIn) -> None:
+    assert bridge.receive(order(GET_MAP), 1) == []
     robot.newest_map = Map(3, 2, 0.05, -1, -2, [0, 100, -1, 0, 0, 0])
-    (answer,) = map(of, bridge.heard(order(GET_MAP), 1))
+    (answer,) = map(of, bridge.receive(order(GET_MAP), 1))
 
     assert answer["header"]["message_id"] == 6
     assert (answer["width"], answer["resolution"], answer["xoffset"]) == (3, 0.05, -1)
     assert base64.b64decode(answer["data"]) == png(robot.newest_map)
 
 
-def test_draws_maps_with_the_largest_y_above() -> None:
+def test_map_image_has_largest_y_on_top() -> None:
     picture = png(Map(3, 2, 0.05, 0, 0, [0, 100, -1, 0, 0, 0]))
     start = picture.index(b"IDAT") + 4
     length = int.from_bytes(picture[start - 8 : start - 4], "big")

@@ -4,15 +4,15 @@ import threading
 
 import pytest
 
-from roslink_bridge.calls import MOST_WAITING, Calls
+from roslink_bridge.calls import MOST_WAITING, ServiceCalls
 
 
 class RefusedError(Exception):
     pass
 
 
-def test_calls_one_after_the_other_and_leaves_out_what_has_no_room(caplog: pytest.LogCaptureFixture) -> None:
-    calls = Calls((RefusedError,))
+def test_service_calls_are_sequential_and_overflow_is_dropped(caplog: pytest.LogCaptureFixture) -> None:
+    calls = ServiceCalls((RefusedError,))
     begun, go_on, done = threading.Event(), threading.Event(), threading.Event()
     order = []
 

@@ -8,11 +8,11 @@ import pytest
 
 from roslink_bridge.bridge import GO_TO, STOP, Identity
 from roslink_bridge.flying import ARM, DISARM, LAND, SET_MODE, TAKE_OFF, FlyingBridge
-from roslink_bridge.mavros import SPEEDS_ONLY, aim, flight_of, satellites_of
+from roslink_bridge.mavros import SPEEDS_ONLY, fill_target, flight_of, satellites_of
 from roslink_bridge.robot import Battery, Flight, Pose, Satellites, Speeds
 
 from .stand_in import FlyingStandIn
-from .test_bridge import order, said, twist
+from .test_bridge import order, published, twist
 
 STANDBY, ACTIVE = 3, 4
 
@@ -27,13 +27,13 @@ def bridge(drone: FlyingStandIn) -> FlyingBridge:
     return FlyingBridge(Identity(7, "rk-secret", kind=3), drone)
 
 
-def test_says_how_it_flies_in_the_words_of_bridges(bridge: FlyingBridge, drone: FlyingStandIn) -> None:
-    assert list(said(bridge, 0)) == [0]
+def test_flight_state_messages(bridge: FlyingBridge, drone: FlyingStandIn) -> None:
+    assert list(published(bridge, 0)) == [0]
     drone.newest_flight = Flight(ACTIVE, True, 4)
     drone.charge = Battery(80, 12.1, 3.5)
     drone.seen = Satellites(3, 47.4, 8.5, 410.5, 11)
     drone.newest_pose = Pose(1, 2, 0.5, forward=2, up=0.5, height=12.5)
-    messages = said(bridge, 1)
+    messages = published(bridge, 1)
 
     assert body(messages[1]) == {
         "state": 4104,
@@ -56,15 +56,15 @@ def body(message: Dict[str, Any]) -> Dict[str, Any]:
     return {name: value for name, value in message.items() if name != "header"}
 
 
-def test_says_nothing_of_what_it_does_not_know(bridge: FlyingBridge, drone: FlyingStandIn) -> None:
+def test_unknown_flight_data_is_not_sent(bridge: FlyingBridge, drone: FlyingStandIn) -> None:
     drone.charge = Battery(None, 12.1, None)
     drone.seen = Satellites(-1)
-    messages = said(bridge, 1)
+    messages = published(bridge, 1)
     assert body(messages[1]) == {"voltage_battery": 12.1}
     assert body(messages[3]) == {"fix_type": -1}
 
 
-def test_hands_each_order_on(bridge: FlyingBridge, drone: FlyingStandIn) -> None:
+def test_flight_orders_are_passed_on(bridge: FlyingBridge, drone: FlyingStandIn) -> None:
     for text in (
         order(SET_MODE, flightMode=4),
         order(ARM),
@@ -72,7 +72,7 @@ def test_hands_each_order_on(bridge: FlyingBridge, drone: FlyingStandIn) -> None
         order(LAND),
         order(DISARM),
     ):
-        assert bridge.heard(text, 1) == []
+        assert bridge.receive(text, 1) == []
     assert drone.asked == [("mode", 4), ("arm", True), ("take off", 10.0), "land", ("arm", False)]
     assert bridge.refused == 0
 
@@ -92,20 +92,20 @@ def test_hands_each_order_on(bridge: FlyingBridge, drone: FlyingStandIn) -> None
         order(LAND, system_id=8),
     ],
 )
-def test_refuses_what_is_not_for_it(bridge: FlyingBridge, drone: FlyingStandIn, text: str) -> None:
-    bridge.heard(text, 1)
+def test_invalid_flight_orders_are_refused(bridge: FlyingBridge, drone: FlyingStandIn, text: str) -> None:
+    bridge.receive(text, 1)
     assert (drone.asked, drone.goals, drone.driven) == ([], [], [])
     assert bridge.refused == 1
 
 
-def test_flies_as_long_as_it_is_told_and_stops_by_itself(bridge: FlyingBridge, drone: FlyingStandIn) -> None:
-    bridge.heard(twist(0.4), 10)
-    bridge.tick(10.4)
+def test_flies_while_commanded_and_stops_after_timeout(bridge: FlyingBridge, drone: FlyingStandIn) -> None:
+    bridge.receive(twist(0.4), 10)
+    bridge.step(10.4)
     assert drone.driven == [Speeds(0.4)]
-    bridge.tick(10.51)
+    bridge.step(10.51)
     assert drone.driven[-1] == Speeds()
-    bridge.heard(twist(0.4), 11)
-    bridge.heard(order(STOP), 11.1)
+    bridge.receive(twist(0.4), 11)
+    bridge.receive(order(STOP), 11.1)
     assert drone.driven[-1] == Speeds()
 
 
@@ -113,7 +113,7 @@ def state(**more: object) -> object:
     return Of(**{"connected": True, "armed": True, "mode": "GUIDED", "system_status": STANDBY, **more})
 
 
-def test_a_state_is_the_flight_controllers_or_none() -> None:
+def test_flight_state_from_mavros() -> None:
     assert flight_of(state()) == Flight(STANDBY, True, 4)
     assert flight_of(state(mode="SMART_RTL", armed=False)) == Flight(STANDBY, False, 21)
     assert flight_of(state(mode="CMODE(77)")) == Flight(STANDBY, True, 99)
@@ -121,7 +121,7 @@ def test_a_state_is_the_flight_controllers_or_none() -> None:
     assert flight_of(None) is None
 
 
-def test_an_altitude_is_above_the_sea_or_unknown() -> None:
+def test_altitude_above_sea_level_or_unknown() -> None:
     """That of the satellites is counted from the ellipsoid, tens of metres away."""
 
     def fix(status: int) -> object:
@@ -134,9 +134,9 @@ def test_an_altitude_is_above_the_sea_or_unknown() -> None:
     assert satellites_of(None, Of(data=2), None) is None
 
 
-def test_speeds_count_from_its_own_nose() -> None:
+def test_speeds_are_in_body_frame() -> None:
     target: Any = Of(velocity=Of())
-    aim(target, Speeds(1, 2, 3, 0.4))
+    fill_target(target, Speeds(1, 2, 3, 0.4))
     assert (target.velocity.x, target.velocity.y, target.velocity.z, target.yaw_rate) == (1, 2, 3, 0.4)
     assert target.coordinate_frame == 8
     ignored: List[bool] = [bool(target.type_mask >> bit & 1) for bit in range(12)]

@@ -1,10 +1,10 @@
-"""Where a robot is on its map, by its odometry and by what localises it."""
+"""Poses on the map by odometry and localisation."""
 
 import math
 
 import pytest
 
-from roslink_bridge.frames import Localiser, Turned
+from roslink_bridge.frames import Localiser, Pose2D
 from roslink_bridge.robot import Pose
 
 QUARTER = math.pi / 2
@@ -20,21 +20,21 @@ def where(localiser: Localiser) -> "list[float]":
     return at(pose)
 
 
-def test_a_robot_that_is_not_localised_is_where_its_odometry_says() -> None:
+def test_pose_without_localisation_is_odometry() -> None:
     localiser = Localiser()
-    localiser.placed(Turned(5, 5, 0), 1)
+    localiser.map_pose(Pose2D(5, 5, 0), 1)
     assert localiser.pose() is None
     localiser.odometry(Pose(1, 2, 0.5, forward=0.3), 1)
     assert localiser.pose() == Pose(1, 2, 0.5, forward=0.3)
     assert not localiser.localised
 
 
-def test_what_it_has_driven_since_it_was_localised_counts_on_the_map() -> None:
+def test_odometry_since_localisation_is_added_on_map() -> None:
     localiser = Localiser()
     for second in range(10):
         localiser.odometry(Pose(second, 0, 0, forward=1), second)
     # Seven seconds ago, seven metres back, it stood at (3, 4), looking along y.
-    localiser.placed(Turned(3, 4, QUARTER), 2.1)
+    localiser.map_pose(Pose2D(3, 4, QUARTER), 2.1)
 
     assert where(localiser) == pytest.approx([3, 11, QUARTER])
     localiser.odometry(Pose(10, 1, QUARTER, forward=1), 10)
@@ -44,15 +44,15 @@ def test_what_it_has_driven_since_it_was_localised_counts_on_the_map() -> None:
     assert pose.forward == 1, "speeds are its own"
 
 
-def test_a_transform_goes_before_a_pose_that_is_said_now_and_then() -> None:
+def test_transform_takes_precedence_over_pose() -> None:
     localiser = Localiser()
     localiser.odometry(Pose(1, 0, 0), 1)
-    localiser.transform(Turned(10, 20, math.pi))
-    localiser.placed(Turned(0, 0, 0), 1)
+    localiser.transform(Pose2D(10, 20, math.pi))
+    localiser.map_pose(Pose2D(0, 0, 0), 1)
     assert where(localiser) == pytest.approx([9, 20, math.pi])
 
 
-def test_an_inverse_takes_back_what_a_shift_does() -> None:
-    shift = Turned(1.5, -2, 2.5)
+def test_inverse_undoes_shift() -> None:
+    shift = Pose2D(1.5, -2, 2.5)
     back = shift.of(shift.inverse())
     assert [back.x, back.y, back.yaw] == pytest.approx([0, 0, 0])

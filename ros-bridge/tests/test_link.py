@@ -9,7 +9,7 @@ from typing import Any, Callable, Iterator
 import pytest
 
 from roslink_bridge.bridge import TWIST, Bridge, Identity
-from roslink_bridge.link import Link, UdpLine
+from roslink_bridge.link import Link, UdpLink
 from roslink_bridge.robot import Speeds
 
 from .stand_in import StandIn
@@ -34,9 +34,9 @@ def eventually(what: str, is_so: Callable[[], Any]) -> None:
         wait.wait(0.005)
 
 
-def test_drives_stops_without_its_cloud_and_stands_at_the_end(cloud: socket.socket) -> None:
+def test_udp_link_drives_and_stops_on_loss_and_end(cloud: socket.socket) -> None:
     robot = StandIn()
-    link = Link(Bridge(Identity(7, "rk-secret"), robot), UdpLine(cloud.getsockname()))
+    link = Link(Bridge(Identity(7, "rk-secret"), robot), UdpLink(cloud.getsockname()))
     runner = threading.Thread(target=link.run)
     runner.start()
     try:

@@ -3,12 +3,12 @@
 import math
 from types import SimpleNamespace as Of
 
-from roslink_bridge.frames import Turned
-from roslink_bridge.messages import battery_of, map_of, map_shift_of, pose_of, put, scan_of
+from roslink_bridge.frames import Pose2D
+from roslink_bridge.messages import battery_of, fill_twist, map_of, map_shift_of, pose_of, scan_of
 from roslink_bridge.robot import Battery, Map, Scan, Speeds
 
 
-def test_an_odometry_says_where_it_is_and_how_it_stands() -> None:
+def test_odometry_message_to_pose() -> None:
     half = math.pi / 8
     pose = Of(
         position=Of(x=1.0, y=2.0, z=0.0), orientation=Of(x=0.0, y=0.0, z=math.sin(half), w=math.cos(half))
@@ -19,7 +19,7 @@ def test_an_odometry_says_where_it_is_and_how_it_stands() -> None:
     assert math.isclose(read.yaw, math.pi / 4)
 
 
-def test_a_scan_and_a_map_are_taken_as_they_are() -> None:
+def test_scan_and_map_messages() -> None:
     scan = Of(angle_min=-1.0, angle_increment=0.5, range_min=0.1, range_max=3.5, ranges=(1.0, math.inf))
     assert scan_of(scan) == Scan(-1.0, 0.5, 0.1, 3.5, [1.0, math.inf])
     info = Of(width=2, height=1, resolution=0.05, origin=Of(position=Of(x=-1.0, y=-2.0)))
@@ -32,7 +32,7 @@ def battery(share: float, volts: float = 0.0, amperes: float = math.nan) -> obje
     return Of(percentage=share, voltage=volts, current=amperes)
 
 
-def test_a_battery_that_does_not_know_is_unknown() -> None:
+def test_unknown_battery_values() -> None:
     assert battery_of(battery(0.25)) == Battery(25)
     assert battery_of(battery(0.25, 12.5, -3.0)) == Battery(25, 12.5, 3.0)
     assert battery_of(battery(-1.0, 12.5, 0.0)) == Battery(None, 12.5, None)
@@ -40,18 +40,18 @@ def test_a_battery_that_does_not_know_is_unknown() -> None:
     assert battery_of(None) is None
 
 
-def test_a_transform_says_how_its_odometry_lies_on_the_map() -> None:
-    def told(parent: str, child: str) -> object:
+def test_transform_message_to_map_shift() -> None:
+    def transform(parent: str, child: str) -> object:
         shift = Of(translation=Of(x=1.0, y=2.0), rotation=Of(x=0.0, y=0.0, z=1.0, w=0.0))
         return Of(header=Of(frame_id=parent), child_frame_id=child, transform=shift)
 
-    message = Of(transforms=[told("odom", "base_link"), told("/map", "odom")])
-    assert map_shift_of(message, "odom") == Turned(1.0, 2.0, math.pi)
+    message = Of(transforms=[transform("odom", "base_link"), transform("/map", "odom")])
+    assert map_shift_of(message, "odom") == Pose2D(1.0, 2.0, math.pi)
     assert map_shift_of(message, "tb3_0/odom") is None
     assert map_shift_of(Of(transforms=[]), "odom") is None
 
 
-def test_speeds_go_into_a_twist() -> None:
+def test_speeds_to_twist_message() -> None:
     twist = Of(linear=Of(x=0.0, y=0.0, z=0.0), angular=Of(x=0.0, y=0.0, z=0.0))
-    put(twist, Speeds(0.1, 0.2, 0.3, 0.4))
+    fill_twist(twist, Speeds(0.1, 0.2, 0.3, 0.4))
     assert (twist.linear.x, twist.linear.y, twist.linear.z, twist.angular.z) == (0.1, 0.2, 0.3, 0.4)

@@ -44,12 +44,12 @@ def put_turn(turn: Any, yaw: float) -> None:
     turn.z, turn.w = math.sin(yaw / 2), math.cos(yaw / 2)
 
 
-def test_knows_nothing_before_it_has_heard(robot: Robot) -> None:
+def test_no_data_before_first_message(robot: Robot) -> None:
     assert (robot.pose(), robot.scan(), robot.image(), robot.map(), robot.battery()) == (None,) * 5
 
 
-def test_hears_sensors_as_they_come_and_maps_that_were_said_before(node: Node, robot: Robot) -> None:
-    assert {topic: quality for topic, (_, quality) in node.heard.items()} == {
+def test_sensor_topics_and_latched_map(node: Node, robot: Robot) -> None:
+    assert {topic: quality for topic, (_, quality) in node.subscriptions.items()} == {
         "odom": "best effort",
         "scan": "best effort",
         "camera/image/compressed": "best effort",
@@ -58,22 +58,22 @@ def test_hears_sensors_as_they_come_and_maps_that_were_said_before(node: Node, r
         "amcl_pose": (1, "latched"),
         "/tf": 10,
     }
-    node.hears("odom", odometry(1, 2, 0.5, 0.3))
+    node.deliver("odom", odometry(1, 2, 0.5, 0.3))
     sweep = Message()
     sweep.angle_min, sweep.angle_increment, sweep.range_min, sweep.range_max = -1.0, 0.5, 0.1, 3.5
     sweep.ranges = (1.0, 2.0)
-    node.hears("scan", sweep)
+    node.deliver("scan", sweep)
     image = Message()
     image.data = bytearray(b"\xff\xd8\xff")
-    node.hears("camera/image/compressed", image)
+    node.deliver("camera/image/compressed", image)
     grid = Message()
     grid.info.width, grid.info.height, grid.info.resolution = 2, 1, 0.05
     grid.info.origin.position.x, grid.info.origin.position.y = -1.0, -2.0
     grid.data = (0, 100)
-    node.hears("map", grid)
+    node.deliver("map", grid)
     battery = Message()
     battery.percentage, battery.voltage, battery.current = 0.5, math.nan, math.nan
-    node.hears("battery_state", battery)
+    node.deliver("battery_state", battery)
 
     pose = robot.pose()
     assert pose is not None
@@ -87,32 +87,32 @@ def test_hears_sensors_as_they_come_and_maps_that_were_said_before(node: Node, r
 
 def test_drives_and_goes_to_a_place(node: Node, robot: Robot) -> None:
     robot.drive(Speeds(0.4, 0.1, 0, -0.5))
-    (twist,) = node.publishers["cmd_vel"].said
+    (twist,) = node.publishers["cmd_vel"].published
     assert (twist.linear.x, twist.linear.y, twist.angular.z) == (0.4, 0.1, -0.5)
     robot.go_to(3, 4)
-    (goal,) = node.publishers["goal_pose"].said
+    (goal,) = node.publishers["goal_pose"].published
     assert (goal.pose.position.x, goal.pose.position.y, goal.pose.orientation.w) == (3, 4, 1)
     assert (goal.header.frame_id, goal.header.stamp) == ("odom", "now"), "it knows of no map"
 
 
-def test_gives_a_way_up_by_going_where_it_is(node: Node, robot: Robot) -> None:
+def test_cancel_sends_goal_at_current_pose(node: Node, robot: Robot) -> None:
     robot.cancel()
-    assert node.publishers["goal_pose"].said == [], "nobody knows where that is"
-    node.hears("odom", odometry(1, 2, 0, 0))
+    assert node.publishers["goal_pose"].published == [], "nobody knows where that is"
+    node.deliver("odom", odometry(1, 2, 0, 0))
     robot.cancel()
-    (goal,) = node.publishers["goal_pose"].said
+    (goal,) = node.publishers["goal_pose"].published
     assert (goal.pose.position.x, goal.pose.position.y) == (1, 2)
 
 
-def test_shows_and_takes_places_of_its_map_once_it_is_localised(node: Node, robot: Robot) -> None:
-    node.hears("odom", odometry(1, 0, 0, 0))
-    node.hears("amcl_pose", placed(5, 6, math.pi / 2))
-    node.hears("odom", odometry(2, 0, 0, 0.3))
+def test_goals_are_in_map_frame_once_localised(node: Node, robot: Robot) -> None:
+    node.deliver("odom", odometry(1, 0, 0, 0))
+    node.deliver("amcl_pose", placed(5, 6, math.pi / 2))
+    node.deliver("odom", odometry(2, 0, 0, 0.3))
     pose = robot.pose()
     assert pose is not None
     assert (pose.x, pose.y, pose.yaw) == pytest.approx((5, 7, math.pi / 2))
     robot.cancel()
-    (goal,) = node.publishers["goal_pose"].said
+    (goal,) = node.publishers["goal_pose"].published
     assert (goal.pose.position.x, goal.pose.position.y) == pytest.approx((5, 7))
     assert goal.header.frame_id == "map"
 
@@ -120,9 +120,9 @@ def test_shows_and_takes_places_of_its_map_once_it_is_localised(node: Node, robo
     shift.header.frame_id, shift.child_frame_id = "map", "odom"
     shift.transform.translation.x, shift.transform.translation.y = 10.0, 0.0
     put_turn(shift.transform.rotation, 0)
-    told = Message()
-    told.transforms = [shift]
-    node.hears("/tf", told)
+    message = Message()
+    message.transforms = [shift]
+    node.deliver("/tf", message)
     pose = robot.pose()
     assert pose is not None
     assert (pose.x, pose.y) == pytest.approx((12, 0))
@@ -142,18 +142,18 @@ def value(**fields: Any) -> Any:
     return message
 
 
-def test_a_drone_behind_mavros_is_heard(node: Node, flyer: Flyer) -> None:
+def test_mavros_topics_are_read(node: Node, flyer: Flyer) -> None:
     assert (flyer.pose(), flyer.flight(), flyer.satellites(), flyer.battery()) == (None,) * 4
-    node.hears("mavros/state", value(connected=True, armed=True, mode="GUIDED", system_status=4))
-    node.hears("mavros/battery", value(percentage=0.8, voltage=12.1, current=-3.5))
-    node.hears("mavros/local_position/odom", odometry(1, 2, 0.5, 0.3))
+    node.deliver("mavros/state", value(connected=True, armed=True, mode="GUIDED", system_status=4))
+    node.deliver("mavros/battery", value(percentage=0.8, voltage=12.1, current=-3.5))
+    node.deliver("mavros/local_position/odom", odometry(1, 2, 0.5, 0.3))
     assert flyer.pose() is None, "without a height it would pass for a robot on wheels"
-    node.hears("mavros/global_position/rel_alt", value(data=12.5))
+    node.deliver("mavros/global_position/rel_alt", value(data=12.5))
     fix = value(latitude=47.4, longitude=8.5)
     fix.status.status = 0
-    node.hears("mavros/global_position/raw/fix", fix)
-    node.hears("mavros/global_position/raw/satellites", value(data=11))
-    node.hears("mavros/altitude", value(amsl=410.0))
+    node.deliver("mavros/global_position/raw/fix", fix)
+    node.deliver("mavros/global_position/raw/satellites", value(data=11))
+    node.deliver("mavros/altitude", value(amsl=410.0))
 
     assert flyer.flight() == Flight(4, True, 4)
     assert flyer.battery() == Battery(80, 12.1, 3.5)
@@ -163,7 +163,7 @@ def test_a_drone_behind_mavros_is_heard(node: Node, flyer: Flyer) -> None:
     assert (pose.x, pose.y, pose.height) == (1, 2, 12.5)
 
 
-def test_a_drone_behind_mavros_is_told(node: Node, flyer: Flyer) -> None:
+def test_mavros_services_are_called(node: Node, flyer: Flyer) -> None:
     flyer.set_mode(4)
     flyer.set_mode(77)
     flyer.arm(True)
@@ -180,8 +180,8 @@ def test_a_drone_behind_mavros_is_told(node: Node, flyer: Flyer) -> None:
     assert len(asked["mavros/cmd/land"]) == 1
 
     flyer.drive(Speeds(1, 0.5, 0.2, -0.3))
-    (target,) = node.publishers["mavros/setpoint_raw/local"].said
+    (target,) = node.publishers["mavros/setpoint_raw/local"].published
     assert (target.velocity.x, target.velocity.z, target.yaw_rate) == (1, 0.2, -0.3)
-    assert node.publishers["cmd_vel"].said == []
+    assert node.publishers["cmd_vel"].published == []
     flyer.cancel()
-    assert node.publishers["goal_pose"].said == []
+    assert node.publishers["goal_pose"].published == []

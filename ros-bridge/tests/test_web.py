@@ -11,9 +11,9 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.server import Server, ServerConnection, serve
 
 from roslink_bridge.bridge import HEARTBEAT, MOTION, Bridge, Identity
-from roslink_bridge.link import Link, UdpLine
+from roslink_bridge.link import Link, UdpLink
 from roslink_bridge.robot import Pose, Speeds
-from roslink_bridge.web import MOST_WAITING, WebLine
+from roslink_bridge.web import MOST_WAITING, WebSocketLink
 
 from .stand_in import StandIn
 from .test_bridge import twist
@@ -21,20 +21,20 @@ from .test_link import PATIENCE_SECONDS, eventually
 
 
 class Cloud:
-    """One that keeps what it hears by each way, and speaks by its WebSocket."""
+    """A cloud that keeps what it receives by each way, and sends by its WebSocket."""
 
     def __init__(self) -> None:
         self.by_web: List[Dict[str, Any]] = []
         self.by_udp: List[Dict[str, Any]] = []
         self.connection: Optional[ServerConnection] = None
-        self._server: Server = serve(self._hear, "127.0.0.1", 0)
+        self._server: Server = serve(self._receive, "127.0.0.1", 0)
         self._udp = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self._udp.bind(("127.0.0.1", 0))
         self._udp.settimeout(0.1)
         self._ended = threading.Event()
         self._threads = [
             threading.Thread(target=self._server.serve_forever),
-            threading.Thread(target=self._hear_udp),
+            threading.Thread(target=self._receive_udp),
         ]
         for thread in self._threads:
             thread.start()
@@ -47,7 +47,7 @@ class Cloud:
     def udp(self) -> Any:
         return self._udp.getsockname()
 
-    def _hear(self, connection: ServerConnection) -> None:
+    def _receive(self, connection: ServerConnection) -> None:
         self.connection = connection
         try:
             for text in connection:
@@ -55,7 +55,7 @@ class Cloud:
         except ConnectionClosed:
             return
 
-    def _hear_udp(self) -> None:
+    def _receive_udp(self) -> None:
         while not self._ended.is_set():
             try:
                 self.by_udp.append(json.loads(self._udp.recv(65_535)))
@@ -93,11 +93,11 @@ def kinds(messages: List[Dict[str, Any]]) -> List[int]:
     return [message["header"]["message_id"] for message in messages]
 
 
-def test_all_goes_by_the_connection_and_by_udp_while_there_is_none(cloud: Cloud) -> None:
+def test_web_socket_first_and_udp_while_it_is_down(cloud: Cloud) -> None:
     robot = StandIn()
     robot.newest_pose = Pose(1, 2, 0)
     bridge = Bridge(Identity(7, "rk-secret"), robot)
-    with running(Link(bridge, UdpLine(cloud.udp), WebLine(cloud.web))):
+    with running(Link(bridge, UdpLink(cloud.udp), WebSocketLink(cloud.web))):
         eventually("it connects", lambda: MOTION in kinds(cloud.by_web))
         count = len(cloud.by_udp)
         eventually("it beats on both", lambda: HEARTBEAT in kinds(cloud.by_udp[count:]))
@@ -114,9 +114,9 @@ def test_all_goes_by_the_connection_and_by_udp_while_there_is_none(cloud: Cloud)
     assert robot.goals == [None], "it stands when the link ends"
 
 
-def test_a_connection_alone_is_enough(cloud: Cloud) -> None:
+def test_web_socket_alone_is_enough(cloud: Cloud) -> None:
     robot = StandIn()
-    with running(Link(Bridge(Identity(7, "rk-secret"), robot), None, WebLine(cloud.web))):
+    with running(Link(Bridge(Identity(7, "rk-secret"), robot), None, WebSocketLink(cloud.web))):
         eventually("it connects", lambda: cloud.by_web)
         assert cloud.connection
         cloud.connection.send(twist(0.4))
@@ -124,9 +124,9 @@ def test_a_connection_alone_is_enough(cloud: Cloud) -> None:
     assert cloud.by_udp == []
 
 
-def test_a_network_that_takes_nothing_keeps_nobody_waiting() -> None:
+def test_blocked_network_blocks_no_caller() -> None:
     with socket.create_server(("127.0.0.1", 0)) as deaf:
-        line = WebLine(f"ws://127.0.0.1:{deaf.getsockname()[1]}/")
+        line = WebSocketLink(f"ws://127.0.0.1:{deaf.getsockname()[1]}/")
         assert not line.send("a message"), "there is no answer to its greeting"
         line._up.set()
         for _ in range(MOST_WAITING + 3):

@@ -44,7 +44,7 @@ def pid_of(checkout: Checkout, name: str) -> int:
     return int((checkout.data / f"{name}.pid").read_text())
 
 
-def ask(built: Checkout, path: str, body: dict[str, Any] | None = None) -> str:
+def call_rest(built: Checkout, path: str, body: dict[str, Any] | None = None) -> str:
     """An answer of REST to this machine's own key; with a body it is a POST."""
     key = (built.data / "local-key").read_text().strip()
     request = urllib.request.Request(

@@ -14,7 +14,7 @@ PIP = re.compile(r"pkg:pypi/[\w.-]+@[\w.-]+")
 NPM = re.compile(r"pkg:npm/(%40[\w.-]+/)?[\w.-]+@[\w.-]+")
 
 
-def test_names_each_library_of_the_jar_and_each_package_of_the_page() -> None:
+def test_bill_names_jar_libraries_and_page_packages() -> None:
     components = bill_of_materials.bill()["components"]
 
     with zipfile.ZipFile(bill_of_materials.JAR) as jar:
@@ -31,7 +31,7 @@ def test_names_each_library_of_the_jar_and_each_package_of_the_page() -> None:
     assert all(re.fullmatch(r"[0-9a-f]{64,128}", each["hashes"][0]["content"]) for each in hashed)
 
 
-def test_names_what_lies_packed_in_libraries_and_what_the_signer_fetches() -> None:
+def test_bill_names_packed_libraries_and_signer_packages() -> None:
     components = bill_of_materials.bill()["components"]
     packed = {
         each["version"] for each in components if each["name"].startswith("embedded-postgres-binaries-")
@@ -45,12 +45,12 @@ def test_names_what_lies_packed_in_libraries_and_what_the_signer_fetches() -> No
     assert signer == {"pymavlink"}
 
 
-def test_says_what_is_missing_where_nothing_is_built(tmp_path: Path) -> None:
+def test_bill_without_build_is_refused(tmp_path: Path) -> None:
     with pytest.raises(SystemExit, match="build first"):
         bill_of_materials.bill(tmp_path / "dronemap.jar")
 
 
-def test_invents_no_coordinates(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_bill_has_no_invented_coordinates(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("MAVEN_REPOSITORY", str(tmp_path))
     with pytest.raises(SystemExit, match="MAVEN_REPOSITORY"):
         bill_of_materials.bill()

@@ -52,15 +52,15 @@ class Advisories:
     def __init__(self, folder: Path) -> None:
         self._folder = folder
 
-    def have(self, of: Ecosystem, known: list[str]) -> Path:
+    def add(self, of: Ecosystem, known: list[str]) -> Path:
         file = self._folder / "osv-scanner" / of.name / "all.zip"
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(json.dumps(known))
         return file
 
-    def have_all(self) -> None:
+    def add_all(self) -> None:
         for of in ECOSYSTEMS:
-            self.have(of, EVERYBODY_KNOWS)
+            self.add(of, EVERYBODY_KNOWS)
 
 
 @pytest.fixture
@@ -74,9 +74,9 @@ def advisories(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Advisories:
 
 
 def shipped(of: Ecosystem) -> list[str]:
-    """What the scanner is asked about."""
+    """Names of the components that the scanner is given."""
     components = bill_of_materials.bill()["components"]
-    return [each["purl"] for each in check_vulnerabilities.asked(components, of)]
+    return [each["purl"] for each in check_vulnerabilities.components_in(components, of)]
 
 
 @pytest.fixture(params=ECOSYSTEMS, ids=[of.name for of in ECOSYSTEMS])
@@ -86,11 +86,11 @@ def ecosystem(request: pytest.FixtureRequest) -> Ecosystem:
 
 
 def packed() -> str:
-    (program,) = check_vulnerabilities.programs(bill_of_materials.bill()["components"])
+    (program,) = check_vulnerabilities.outside_ecosystems(bill_of_materials.bill()["components"])
     return f"{program['name']} {program['version']}"
 
 
-def test_each_thing_that_ships_belongs_to_one_kind_but_for_the_database() -> None:
+def test_each_component_belongs_to_one_ecosystem() -> None:
     components = bill_of_materials.bill()["components"]
     kinds = [shipped(of) for of in ECOSYSTEMS]
     assert sum(len(each) for each in kinds) == len(components) - 1
@@ -98,24 +98,24 @@ def test_each_thing_that_ships_belongs_to_one_kind_but_for_the_database() -> Non
     assert packed().startswith("postgresql ")
 
 
-def test_finds_nothing_where_only_what_was_planted_is_known(
+def test_planted_vulnerability_alone_is_no_finding(
     advisories: Advisories, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    advisories.have_all()
+    advisories.add_all()
     assert check_vulnerabilities.main(["--offline"]) == NOTHING_KNOWN
     lines = capsys.readouterr().out.splitlines()
     assert lines == [
-        *(f"Of {len(shipped(of))} {of.things} none has a known vulnerability." for of in ECOSYSTEMS),
+        *(f"Of {len(shipped(of))} {of.description} none has a known vulnerability." for of in ECOSYSTEMS),
         f"{packed()} was not checked: osv-scanner knows no programs. Compare it with {SECURITY_PAGE}",
         f"Not checked: {packed()}. Nothing is known of the rest.",
     ]
 
 
-def test_names_what_ships_and_is_known(
+def test_known_vulnerability_of_shipped_component_is_named(
     advisories: Advisories, ecosystem: Ecosystem, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    advisories.have_all()
-    advisories.have(ecosystem, [*EVERYBODY_KNOWS, shipped(ecosystem)[0]])
+    advisories.add_all()
+    advisories.add(ecosystem, [*EVERYBODY_KNOWS, shipped(ecosystem)[0]])
     assert check_vulnerabilities.main(["--offline"]) == KNOWN
     lines = capsys.readouterr().out.splitlines()
     assert [line for line in lines if line.endswith(": GHSA-1")]
@@ -123,7 +123,7 @@ def test_names_what_ships_and_is_known(
 
 
 @pytest.mark.parametrize("database", [None, []], ids=["none", "empty"])
-def test_a_database_that_misses_what_everybody_knows_proves_nothing_of_its_kind_alone(
+def test_incomplete_database_leaves_its_ecosystem_unchecked(
     advisories: Advisories,
     ecosystem: Ecosystem,
     database: list[str] | None,
@@ -131,39 +131,39 @@ def test_a_database_that_misses_what_everybody_knows_proves_nothing_of_its_kind_
 ) -> None:
     for of in ECOSYSTEMS:
         if of != ecosystem:
-            advisories.have(of, EVERYBODY_KNOWS)
+            advisories.add(of, EVERYBODY_KNOWS)
         elif database is not None:
-            advisories.have(of, database)
+            advisories.add(of, database)
     assert check_vulnerabilities.main(["--offline"]) == NOT_CHECKED
     lines = capsys.readouterr().out.splitlines()
-    mine = f"{len(shipped(ecosystem))} {ecosystem.things}"
+    mine = f"{len(shipped(ecosystem))} {ecosystem.description}"
     assert [line for line in lines if line.startswith(f"{mine} were not checked: the scanner does not know")]
     assert not [line for line in lines if line.startswith(f"Of {mine}")]
     assert len([line for line in lines if " none has " in line]) == len(ECOSYSTEMS) - 1
     assert lines[-1] == f"Not checked: {mine}, {packed()}. Nothing is known of the rest."
 
 
-def test_what_is_known_is_told_beside_a_kind_that_was_not_checked(
+def test_findings_are_reported_beside_unchecked_ecosystem(
     advisories: Advisories, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    advisories.have(ECOSYSTEMS[0], [*EVERYBODY_KNOWS, shipped(ECOSYSTEMS[0])[0]])
+    advisories.add(ECOSYSTEMS[0], [*EVERYBODY_KNOWS, shipped(ECOSYSTEMS[0])[0]])
     assert check_vulnerabilities.main(["--offline"]) == KNOWN
     last = capsys.readouterr().out.splitlines()[-1]
     assert last.startswith("Known vulnerabilities: in 1 of what ships. Not checked: ")
-    assert all(of.things in last for of in ECOSYSTEMS[1:])
+    assert all(of.description in last for of in ECOSYSTEMS[1:])
 
 
-def test_says_not_checked_for_an_old_database_however_new_the_others_are(
+def test_old_database_leaves_ecosystem_unchecked(
     advisories: Advisories, ecosystem: Ecosystem, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    advisories.have_all()
+    advisories.add_all()
     long_ago = time.time() - 40 * 86_400
-    os.utime(advisories.have(ecosystem, EVERYBODY_KNOWS), (long_ago, long_ago))
+    os.utime(advisories.add(ecosystem, EVERYBODY_KNOWS), (long_ago, long_ago))
     assert check_vulnerabilities.main(["--offline"]) == NOT_CHECKED
     assert re.search(rf"the database {ecosystem.name} in \S+ is 40 days old", capsys.readouterr().out)
 
 
-def test_fetches_databases_unless_told_not_to(
+def test_databases_are_fetched_unless_offline(
     advisories: Advisories, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("NETWORK", json.dumps(EVERYBODY_KNOWS))
@@ -173,17 +173,17 @@ def test_fetches_databases_unless_told_not_to(
 
 
 @pytest.mark.parametrize("answer", ["", "{}", "[]"], ids=["silence", "no results", "something else"])
-def test_says_not_checked_when_the_scanner_tells_nothing(
+def test_broken_scanner_answer_is_not_checked(
     advisories: Advisories, tmp_path: Path, answer: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "osv-scanner").write_text(f"#!/bin/sh\necho '{answer}'\n")
     assert check_vulnerabilities.main(["--offline"]) == NOT_CHECKED
-    told = capsys.readouterr().out
-    assert told.count("the scanner ended with 0 and told nothing") == len(ECOSYSTEMS)
-    assert "Nothing is known" not in told
+    output = capsys.readouterr().out
+    assert output.count("the scanner ended with 0 and told nothing") == len(ECOSYSTEMS)
+    assert "Nothing is known" not in output
 
 
-def test_says_not_checked_without_a_scanner(
+def test_missing_scanner_is_not_checked(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setenv("OSV_SCANNER", "/no/such/program")

@@ -12,7 +12,7 @@ from .conftest import ROOT
 COMPOSE = ROOT / "docker" / "compose.yaml"
 
 
-def against_compose_schema(file: Path) -> subprocess.CompletedProcess[str]:
+def schema_errors(file: Path) -> subprocess.CompletedProcess[str]:
     checker = Path(sys.executable).with_name("check-jsonschema")
     return subprocess.run(
         [checker, "--builtin-schema", "vendor.compose-spec", file],
@@ -23,15 +23,15 @@ def against_compose_schema(file: Path) -> subprocess.CompletedProcess[str]:
 
 
 def test_compose_file_is_valid() -> None:
-    outcome = against_compose_schema(COMPOSE)
+    outcome = schema_errors(COMPOSE)
     assert outcome.returncode == 0, outcome.stdout + outcome.stderr
 
 
 @pytest.mark.parametrize("planted", ["  server:\n    ports: 8080\n", "  server:\n    immage: debian\n"])
-def test_the_schema_finds_a_planted_mistake(tmp_path: Path, planted: str) -> None:
+def test_compose_schema_finds_planted_mistake(tmp_path: Path, planted: str) -> None:
     broken = tmp_path / "compose.yaml"
     broken.write_text("services:\n" + planted)
-    assert against_compose_schema(broken).returncode != 0
+    assert schema_errors(broken).returncode != 0
 
 
 def test_compose_file_publishes_on_loopback_only() -> None:

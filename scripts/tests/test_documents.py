@@ -15,7 +15,7 @@ def documents() -> list[str]:
 
 
 def too_long(text: str) -> list[str]:
-    """What can be wrapped and is not: no tables, no code, no HTML, and no line that is one piece."""
+    """Lines that could be wrapped: no tables, no code, no HTML, and no line that is one piece."""
     found = []
     code = False
     for line in text.splitlines():
@@ -31,10 +31,10 @@ def too_long(text: str) -> list[str]:
 
 
 @pytest.mark.parametrize("document", documents())
-def test_wraps_its_sentences(document: str) -> None:
+def test_document_lines_are_wrapped(document: str) -> None:
     assert too_long((ROOT / document).read_text()) == []
 
 
-def test_finds_a_long_sentence() -> None:
+def test_long_line_is_found() -> None:
     assert too_long("word " * 30) == ["word " * 30]
     assert too_long("```\n" + "word " * 30 + "\n```\n| " + "word " * 30) == []

@@ -21,7 +21,7 @@ from typing import Any
 import pytest
 
 from .conftest import ROOT, Checkout
-from .running import ask, descendants, get, pid_of
+from .running import call_rest, descendants, get, pid_of
 from .waiting import until
 
 FAULTS = Path(__file__).parent / "faults" / "Faults.java"
@@ -63,14 +63,14 @@ def java_of(built: Checkout) -> Path:
     return Path(f"/proc/{pid_of(built, 'server')}/exe").readlink()
 
 
-def put(built: Checkout, jar: Path, fault: str) -> None:
+def inject_fault(built: Checkout, jar: Path, fault: str) -> None:
     subprocess.run([java_of(built), "-jar", jar, str(pid_of(built, "server")), fault], check=True, timeout=60)
 
 
 def health(built: Checkout) -> dict[str, Any]:
     with contextlib.suppress(OSError, ValueError):
-        said: dict[str, Any] = json.loads(get(f"http://127.0.0.1:{built.http_port}/api/v1/health")[1])
-        return said
+        answer: dict[str, Any] = json.loads(get(f"http://127.0.0.1:{built.http_port}/api/v1/health")[1])
+        return answer
     return {}
 
 
@@ -84,27 +84,29 @@ def seconds_until_up_again(built: Checkout, before: int, since: float) -> float:
 
 
 @pytest.mark.parametrize(("fault", "part"), STOPPED)
-def test_a_server_that_cannot_do_its_duty_is_there_again(
+def test_server_restarts_after_fatal_fault(
     built: Checkout, faults: Path, fault: str, part: str | None
 ) -> None:
     before = pid_of(built, "server")
     begun = time.monotonic()
-    put(built, faults, fault)
+    inject_fault(built, faults, fault)
     # There may be very many threads to be used up first.
     until("the process has ended", lambda: pid_of(built, "server") != before or not is_alive(before), 180)
     ended = time.monotonic()
     back = seconds_until_up_again(built, before, ended)
-    print(f"{fault}: {used_up(built)}ended after {ended - begun:.1f} s, serving again after {back:.1f} s")
+    print(
+        f"{fault}: {time_used_up(built)}ended after {ended - begun:.1f} s, serving again after {back:.1f} s"
+    )
     end = health(built)["lastEnd"]
     if part is not None:
         assert end["part"] == part
-    told = json.loads(ask(built, "/health/parts"))["ends"]
-    assert [one["part"] for one in told] == [end["part"]]
-    assert told[0]["why"].endswith(".")
+    parts = json.loads(call_rest(built, "/health/parts"))["ends"]
+    assert [one["part"] for one in parts] == [end["part"]]
+    assert parts[0]["why"].endswith(".")
 
 
-def used_up(built: Checkout) -> str:
-    """When there was none left, by the fault itself; nothing for one that stops a thread."""
+def time_used_up(built: Checkout) -> str:
+    """Text of when the resource was used up; empty for a fault that stops a thread."""
     log = (built.data / "logs" / "server.log").read_text(errors="replace")
     found = re.findall(r"used up after \d+ ms", log)
     return f"{found[-1]}, " if found else ""
@@ -126,7 +128,7 @@ class Peer:
         self._system = system
         self._sequence = 0
 
-    def speak(self) -> None:
+    def send_heartbeat(self) -> None:
         # A reset port of a server that is down refuses the datagram before.
         with contextlib.suppress(ConnectionRefusedError):
             self._socket.send(heartbeat(self._system, self._sequence))
@@ -151,16 +153,16 @@ def crc(data: bytes) -> int:
 
 
 @contextlib.contextmanager
-def speaking(*peers: Peer) -> Iterator[None]:
+def sending_heartbeats(*peers: Peer) -> Iterator[None]:
     """Five times a second, as long as this lasts."""
     over = threading.Event()
 
-    def speak() -> None:
+    def send_heartbeat() -> None:
         while not over.wait(0.2):
             for peer in peers:
-                peer.speak()
+                peer.send_heartbeat()
 
-    thread = threading.Thread(target=speak, daemon=True)
+    thread = threading.Thread(target=send_heartbeat, daemon=True)
     thread.start()
     try:
         yield
@@ -170,31 +172,31 @@ def speaking(*peers: Peer) -> Iterator[None]:
 
 
 def live_systems(built: Checkout) -> set[int]:
-    drones = json.loads(ask(built, "/drones"))["drones"]
+    drones = json.loads(call_rest(built, "/drones"))["drones"]
     return {drone["link"]["systemId"] for drone in drones if drone["link"]["state"] == "live"}
 
 
-def test_a_peer_whose_frames_end_the_server_is_not_heard_any_more(built: Checkout, faults: Path) -> None:
+def test_peer_whose_frames_end_the_server_is_blocked(built: Checkout, faults: Path) -> None:
     assert built.run("down").returncode == 0
     options = f"{built.settings['DRONEMAP_JAVA_OPTS']} -javaagent:{faults}=frame"
     assert built.run("up", "--no-demo", DRONEMAP_JAVA_OPTS=options).returncode == 0
     good, bad = Peer(built, 7), Peer(built, BAD_SYSTEM)
-    with speaking(good, bad):
+    with sending_heartbeats(good, bad):
         until("it starts without what ended it", lambda: health(built).get("refusedPeers") == 1, 240)
         until("others are heard", lambda: live_systems(built) == {7})
-    said = health(built)
-    assert said["setAside"] is True
-    told = json.loads(ask(built, "/health/parts"))
-    assert told["refused"] == [f"127.0.0.1:{bad.port}"]
-    assert len(told["ends"]) == 3
+    answer = health(built)
+    assert answer["setAside"] is True
+    parts = json.loads(call_rest(built, "/health/parts"))
+    assert parts["refused"] == [f"127.0.0.1:{bad.port}"]
+    assert len(parts["ends"]) == 3
 
 
 @pytest.mark.soak
-def test_operations_that_end_the_server_are_set_aside_and_their_drones_go_home(
+def test_operations_that_end_the_server_are_set_aside_and_drones_return(
     built: Checkout, faults: Path
 ) -> None:
     assert built.run("up").returncode == 0
-    drone = next(one for one in json.loads(ask(built, "/drones"))["drones"] if one["readyToArm"])
+    drone = next(one for one in json.loads(call_rest(built, "/drones"))["drones"] if one["readyToArm"])
     home = drone["home"]
     order = {
         "latitude": home["latitude"] + 0.0004,
@@ -203,16 +205,16 @@ def test_operations_that_end_the_server_are_set_aside_and_their_drones_go_home(
         "place": {"side": "fixed", "bearing": 180, "distance": 15, "height": 20},
         "patience": 600,
     }
-    follow = json.loads(ask(built, "/follows", order))["id"]
-    say(built, follow, order)
-    ask(built, f"/follows/{follow}/start", {})
+    follow = json.loads(call_rest(built, "/follows", order))["id"]
+    order_follow(built, follow, order)
+    call_rest(built, f"/follows/{follow}/start", {})
 
     def one() -> dict[str, Any]:
-        return next(d for d in json.loads(ask(built, "/drones"))["drones"] if d["id"] == drone["id"])
+        return next(d for d in json.loads(call_rest(built, "/drones"))["drones"] if d["id"] == drone["id"])
 
     def follows() -> bool:
-        say(built, follow, order)
-        return bool(json.loads(ask(built, f"/follows/{follow}"))["state"] == "tracking")
+        order_follow(built, follow, order)
+        return bool(json.loads(call_rest(built, f"/follows/{follow}"))["state"] == "tracking")
 
     until("it follows", follows)
     # The demo fleet flies on while the server is replaced by one that fails at every stored state.
@@ -227,14 +229,14 @@ def test_operations_that_end_the_server_are_set_aside_and_their_drones_go_home(
     until("the drone is down", lambda: one()["armed"] is False)
 
 
-def say(built: Checkout, follow: str, order: dict[str, Any]) -> None:
+def order_follow(built: Checkout, follow: str, order: dict[str, Any]) -> None:
     at = datetime.now(UTC).isoformat()
     here = {"at": at, "latitude": order["latitude"], "longitude": order["longitude"], "accuracy": 4}
-    ask(built, f"/follows/{follow}/positions", {"sent": at, "positions": [here]})
+    call_rest(built, f"/follows/{follow}/positions", {"sent": at, "positions": [here]})
 
 
 @contextlib.contextmanager
-def in_front(built: Checkout, *words: str, **settings: str) -> Iterator[subprocess.Popen[bytes]]:
+def foreground_server(built: Checkout, *words: str, **settings: str) -> Iterator[subprocess.Popen[bytes]]:
     process = subprocess.Popen(words, env=built.environment(**settings), stdout=subprocess.DEVNULL)
     try:
         yield process
@@ -243,23 +245,23 @@ def in_front(built: Checkout, *words: str, **settings: str) -> Iterator[subproce
         process.wait(60)
 
 
-def entry_point(built: Checkout) -> list[str]:
+def container_entry_point(built: Checkout) -> list[str]:
     lines = (ROOT / "docker" / "Dockerfile").read_text().splitlines()
     words = [json.loads(line.split(" ", 1)[1]) for line in lines if line.startswith(("ENTRYPOINT", "CMD"))]
     return [str(built.path / "dronemap"), *words[0][1:], *words[1], "--no-demo"]
 
 
-def unit(name: str) -> str:
+def unit_setting(name: str) -> str:
     return str(re.findall(rf"^{name}=(.*)$", UNIT.read_text(), re.MULTILINE)[0])
 
 
 @pytest.mark.soak
-def test_a_container_serves_again(built: Checkout, faults: Path) -> None:
+def test_container_restarts_server(built: Checkout, faults: Path) -> None:
     assert built.run("down").returncode == 0
-    with in_front(built, *entry_point(built), container="docker"):
+    with foreground_server(built, *container_entry_point(built), container="docker"):
         until("it serves", lambda: health(built).get("status") == "up")
         before = pid_of(built, "server")
-        put(built, faults, "stop:lane-0")
+        inject_fault(built, faults, "stop:lane-0")
         until("the process has ended", lambda: not is_alive(before))
         print(
             f"container: serving again after {seconds_until_up_again(built, before, time.monotonic()):.1f} s"
@@ -268,22 +270,22 @@ def test_a_container_serves_again(built: Checkout, faults: Path) -> None:
 
 
 @pytest.mark.soak
-def test_a_service_serves_again_also_when_its_supervisor_ends(built: Checkout, faults: Path) -> None:
+def test_service_restarts_server_and_ends_with_its_supervisor(built: Checkout, faults: Path) -> None:
     assert built.run("down").returncode == 0
-    start = unit("ExecStart").replace("/opt/dronemap", str(built.path)).split()
-    with in_front(built, *start) as service:
+    start = unit_setting("ExecStart").replace("/opt/dronemap", str(built.path)).split()
+    with foreground_server(built, *start) as service:
         until("it serves", lambda: health(built).get("status") == "up")
         before = pid_of(built, "server")
-        put(built, faults, "stop:lane-0")
+        inject_fault(built, faults, "stop:lane-0")
         until("the process has ended", lambda: not is_alive(before))
         back = seconds_until_up_again(built, before, time.monotonic())
         print(f"service: serving again after {back:.1f} s")
         # Nobody but systemd is left then: the main process ends, and the unit has it started again.
         os.kill(pid_of(built, "supervisor"), signal.SIGKILL)
         assert service.wait(60) != 0
-    assert unit("Restart") == "always"
-    assert unit("StartLimitIntervalSec") == "0"
-    assert str(service.returncode) not in unit("RestartPreventExitStatus").split()
+    assert unit_setting("Restart") == "always"
+    assert unit_setting("StartLimitIntervalSec") == "0"
+    assert str(service.returncode) not in unit_setting("RestartPreventExitStatus").split()
 
 
 def test_the_unit_is_valid(built: Checkout, tmp_path: Path) -> None:

@@ -15,7 +15,7 @@ def fill(folder: Path) -> None:
 
 
 @needs_root
-def test_does_not_start_a_database_on_a_nearly_full_disk(built: Checkout, tmp_path: Path) -> None:
+def test_database_does_not_start_on_nearly_full_disk(built: Checkout, tmp_path: Path) -> None:
     with small_disk(tmp_path / "disk", "50m") as disk:
         outcome = built.run("up", "--no-demo", DRONEMAP_DATA_DIR=str(disk))
     assert outcome.returncode == DISK, outcome.stderr
@@ -23,7 +23,7 @@ def test_does_not_start_a_database_on_a_nearly_full_disk(built: Checkout, tmp_pa
 
 
 @needs_root
-def test_says_that_the_disk_of_the_data_is_full(built: Checkout, tmp_path: Path) -> None:
+def test_full_data_disk_is_reported_at_start(built: Checkout, tmp_path: Path) -> None:
     with small_disk(tmp_path / "disk", "4m") as disk:
         fill(disk)
         outcome = built.run("up", "--no-demo", DRONEMAP_DATA_DIR=str(disk / "data"))
@@ -32,7 +32,7 @@ def test_says_that_the_disk_of_the_data_is_full(built: Checkout, tmp_path: Path)
 
 
 @needs_root
-def test_tells_that_the_disk_became_full_while_it_ran(built: Checkout, tmp_path: Path) -> None:
+def test_disk_full_at_run_time_is_reported(built: Checkout, tmp_path: Path) -> None:
     with small_disk(tmp_path / "disk", "600m") as disk:
         built.settings["DRONEMAP_DATA_DIR"] = str(disk)
         assert built.run("up", "--no-demo").returncode == 0

@@ -18,7 +18,7 @@ from typing import Any
 import pytest
 
 from .conftest import SOON, Checkout, on_free_ports
-from .running import ask, descendants, get, listeners, pid_of
+from .running import call_rest, descendants, get, listeners, pid_of
 from .waiting import until
 
 SECOND_UP_SECONDS = 30
@@ -33,9 +33,7 @@ def built(with_jars: Path) -> Iterator[Checkout]:
     shutil.rmtree(made.data, ignore_errors=True)
 
 
-def test_up_ends_with_a_page_and_a_drone_that_can_be_armed(
-    built: Checkout, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_up_starts_page_and_demo_drone_that_arms(built: Checkout, monkeypatch: pytest.MonkeyPatch) -> None:
     # As it is without any setting: its memory is measured.
     monkeypatch.delitem(built.settings, "DRONEMAP_JAVA_OPTS")
     assert not built.data.exists()
@@ -45,10 +43,10 @@ def test_up_ends_with_a_page_and_a_drone_that_can_be_armed(
     assert f"Dronemap is ready: {address}" in outcome.stdout
     assert "one-time password" in outcome.stdout
     assert "<html" in get(address)[1].lower()
-    health = health_in_contact(built)
+    health = health_when_all_live(built)
     assert health["status"] == "up"
     assert health["drones"]["ready"] >= 1
-    check_that_a_demo_drone_can_be_armed(built)
+    check_demo_drone_arms(built)
     assert resident_megabytes(pid_of(built, "server")) < MOST_MEGABYTES
 
     check_secrets(built.data)
@@ -68,7 +66,7 @@ def test_up_ends_with_a_page_and_a_drone_that_can_be_armed(
     assert address in status.stdout
     assert built.run("logs").returncode == 0
     # The first one has disarmed itself by now, or has not.
-    check_that_a_demo_drone_can_be_armed(built)
+    check_demo_drone_arms(built)
     down = built.run("down")
     assert down.returncode == 0
     assert re.search(r"Armed when last heard: [12]\.", down.stderr)
@@ -76,26 +74,26 @@ def test_up_ends_with_a_page_and_a_drone_that_can_be_armed(
     assert built.run("status").returncode == 1
 
 
-def health_in_contact(built: Checkout) -> dict[str, Any]:
-    """As soon as no drone is silent: the simulator of a busy machine may be so for a moment."""
+def health_when_all_live(built: Checkout) -> dict[str, Any]:
+    """Health once no drone is silent: on a busy machine the simulator may be so for a moment."""
     seen: dict[str, Any] = {}
 
-    def all_are_heard() -> bool:
+    def all_live() -> bool:
         seen.update(json.loads(get(f"http://127.0.0.1:{built.http_port}/api/v1/health")[1]))
         drones = seen["drones"]
         return bool(drones["live"] > 0 and drones["suspect"] == drones["lost"] == 0)
 
-    until("no drone is silent", all_are_heard)
+    until("no drone is silent", all_live)
     return seen
 
 
-def check_that_a_demo_drone_can_be_armed(built: Checkout) -> None:
+def check_demo_drone_arms(built: Checkout) -> None:
     """At once, for that is what "ready" promises: by the drone's own word and by its deed."""
-    health_in_contact(built)
-    drones = json.loads(ask(built, "/drones"))["drones"]
+    health_when_all_live(built)
+    drones = json.loads(call_rest(built, "/drones"))["drones"]
     may = [drone for drone in drones if drone["readyToArm"] and drone["actions"]["arm"]["allowed"]]
     assert may, [(drone["name"], drone["readyToArm"], drone["messages"]) for drone in drones]
-    command = json.loads(ask(built, f"/drones/{may[0]['id']}/commands?wait=20", {"type": "arm"}))
+    command = json.loads(call_rest(built, f"/drones/{may[0]['id']}/commands?wait=20", {"type": "arm"}))
     assert command["outcome"]["result"] == "succeeded", command
 
 
@@ -111,7 +109,7 @@ def check_secrets(data: Path) -> None:
     assert stat.S_IMODE(data.stat().st_mode) & 0o077 == 0
 
 
-def test_a_killed_server_leaves_nothing_that_hinders_the_next_start(built: Checkout) -> None:
+def test_start_after_kill(built: Checkout) -> None:
     assert built.run("up").returncode == 0
     os.kill(pid_of(built, "server"), signal.SIGKILL)
     again = built.run("up")
@@ -119,7 +117,7 @@ def test_a_killed_server_leaves_nothing_that_hinders_the_next_start(built: Check
 
 
 @pytest.mark.soak
-def test_a_server_that_runs_or_was_killed_is_there_within_half_a_minute(built: Checkout) -> None:
+def test_up_takes_less_than_half_a_minute(built: Checkout) -> None:
     """On a machine with nothing else to do."""
     assert built.run("up").returncode == 0
     assert seconds_of_up(built) < SECOND_UP_SECONDS
@@ -156,11 +154,11 @@ def test_replays_a_recording_and_cancels_it_on_interruption(built: Checkout) -> 
     replay.send_signal(signal.SIGINT)
     replay.communicate(timeout=20)
     assert replay.returncode == 130
-    states = [replay["state"] for replay in json.loads(ask(built, "/replays"))["replays"]]
+    states = [replay["state"] for replay in json.loads(call_rest(built, "/replays"))["replays"]]
     assert sorted(states) == ["cancelled", "finished"]
 
 
-def test_down_leaves_nothing_of_a_killed_server(built: Checkout) -> None:
+def test_down_cleans_up_killed_server(built: Checkout) -> None:
     assert built.run("up").returncode == 0
     os.kill(pid_of(built, "server"), signal.SIGKILL)
     assert built.run("down").returncode == 0

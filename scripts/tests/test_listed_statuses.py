@@ -24,17 +24,17 @@ ALL_SEEN = [
 ]
 
 
-class Run:
+class StatusCheck:
     def __init__(self, folder: Path, printed: pytest.CaptureFixture[str]) -> None:
         self.folder = folder
         self.printed = printed
         self.exceptions = ""
         (folder / "seen").mkdir()
 
-    def saw(self, *lines: str, by: str = "1") -> None:
+    def record(self, *lines: str, by: str = "1") -> None:
         (self.folder / "seen" / f"{by}.txt").write_text("".join(f"{line}\n" for line in lines))
 
-    def ends(self) -> tuple[int, list[str]]:
+    def check(self) -> tuple[int, list[str]]:
         """The exit code, and what is printed."""
         description, exceptions = self.folder / "openapi.json", self.folder / "exceptions.txt"
         description.write_text(json.dumps(DESCRIPTION))
@@ -44,19 +44,19 @@ class Run:
 
 
 @pytest.fixture
-def run(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Run:
-    return Run(tmp_path, capsys)
+def status_check(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> StatusCheck:
+    return StatusCheck(tmp_path, capsys)
 
 
-def test_passes_when_each_status_was_seen_by_any_program(run: Run) -> None:
-    run.saw(*ALL_SEEN[:2], by="1")
-    run.saw(*ALL_SEEN[2:], by="end-to-end-7")
-    assert run.ends() == (0, ["4 statuses are listed, 4 of them were seen."])
+def test_all_listed_statuses_seen_passes(status_check: StatusCheck) -> None:
+    status_check.record(*ALL_SEEN[:2], by="1")
+    status_check.record(*ALL_SEEN[2:], by="end-to-end-7")
+    assert status_check.check() == (0, ["4 statuses are listed, 4 of them were seen."])
 
 
-def test_names_each_status_that_nobody_saw(run: Run) -> None:
-    run.saw("GET /api/drones 200")
-    code, printed = run.ends()
+def test_unseen_statuses_are_named(status_check: StatusCheck) -> None:
+    status_check.record("GET /api/drones 200")
+    code, printed = status_check.check()
     assert code == 1
     assert printed[:-1] == [
         "GET /api/drones/lost lists 200, and no test has seen it answer that.",
@@ -65,33 +65,35 @@ def test_names_each_status_that_nobody_saw(run: Run) -> None:
     ]
 
 
-def test_names_what_was_seen_and_is_not_listed(run: Run) -> None:
-    run.saw(*ALL_SEEN, "GET /api/drones/drone-1 500")
-    code, printed = run.ends()
+def test_unlisted_statuses_are_named(status_check: StatusCheck) -> None:
+    status_check.record(*ALL_SEEN, "GET /api/drones/drone-1 500")
+    code, printed = status_check.check()
     assert code == 1
     assert printed[0] == "GET /api/drones/{id} was seen to answer 500, and does not list that."
 
 
-def test_an_address_is_of_what_is_written_out_before_what_stands_for_anything(run: Run) -> None:
-    run.saw(*ALL_SEEN[:1], *ALL_SEEN[2:])
-    assert run.ends()[1][0] == "GET /api/drones/{id} lists 200, and no test has seen it answer that."
+def test_literal_path_wins_over_template(status_check: StatusCheck) -> None:
+    status_check.record(*ALL_SEEN[:1], *ALL_SEEN[2:])
+    assert (
+        status_check.check()[1][0] == "GET /api/drones/{id} lists 200, and no test has seen it answer that."
+    )
 
 
-def test_what_the_description_does_not_have_says_nothing(run: Run) -> None:
-    run.saw(*ALL_SEEN, "GET /nowhere 404", "POST /api/drones 405", "GET /api/drones/a/b 404")
-    assert run.ends()[0] == 0
+def test_unknown_paths_are_ignored(status_check: StatusCheck) -> None:
+    status_check.record(*ALL_SEEN, "GET /nowhere 404", "POST /api/drones 405", "GET /api/drones/a/b 404")
+    assert status_check.check()[0] == 0
 
 
-def test_an_exception_stands_for_what_no_test_can_see(run: Run) -> None:
-    run.saw(*ALL_SEEN[1:])
-    run.exceptions = "# why\n\nGET /api/drones 200: nobody has drones\n"
-    assert run.ends()[0] == 0
+def test_exceptions_count_as_seen(status_check: StatusCheck) -> None:
+    status_check.record(*ALL_SEEN[1:])
+    status_check.exceptions = "# why\n\nGET /api/drones 200: nobody has drones\n"
+    assert status_check.check()[0] == 0
 
 
-def test_an_exception_that_was_seen_or_is_not_listed_is_refused(run: Run) -> None:
-    run.saw(*ALL_SEEN)
-    run.exceptions = "GET /api/drones 200: never\nGET /api/drones 507: no disk is that full\n"
-    code, printed = run.ends()
+def test_needless_exception_is_refused(status_check: StatusCheck) -> None:
+    status_check.record(*ALL_SEEN)
+    status_check.exceptions = "GET /api/drones 200: never\nGET /api/drones 507: no disk is that full\n"
+    code, printed = status_check.check()
     assert code == 1
     assert printed[:-1] == [
         "GET /api/drones 200 is an exception, but a test has seen it: strike it from the exceptions.",
@@ -100,21 +102,21 @@ def test_an_exception_that_was_seen_or_is_not_listed_is_refused(run: Run) -> Non
 
 
 @pytest.mark.parametrize("line", ["GET /api/drones 200", "GET /api/drones 200: ", "/api/drones 200: never"])
-def test_an_exception_without_a_reason_is_refused(run: Run, line: str) -> None:
-    run.saw(*ALL_SEEN)
-    run.exceptions = f"{line}\n"
+def test_an_exception_without_a_reason_is_refused(status_check: StatusCheck, line: str) -> None:
+    status_check.record(*ALL_SEEN)
+    status_check.exceptions = f"{line}\n"
     with pytest.raises(SystemExit, match="is not METHOD PATTERN STATUS: why no test can see it"):
-        run.ends()
+        status_check.check()
 
 
-def test_a_run_in_which_nothing_was_written_down_fails_with_one_sentence(run: Run) -> None:
-    run.saw()
-    code, printed = run.ends()
+def test_run_without_seen_statuses_fails(status_check: StatusCheck) -> None:
+    status_check.record()
+    code, printed = status_check.check()
     assert code == 1
     assert len(printed) == 1 and printed[0].startswith("No test has written down in ")
 
 
-def test_the_description_in_the_tree_is_read() -> None:
+def test_rest_description_of_this_checkout_is_read() -> None:
     wire = ROOT / "dronemap-ws" / "src" / "test" / "resources" / "wire" / "openapi.json"
     description = listed_statuses.Description(wire)
     assert len(description.listed) > 1000

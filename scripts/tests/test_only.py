@@ -1,4 +1,4 @@
-"""Which tests a pattern names, in every language."""
+"""Finding tests by a pattern, in every language."""
 
 from pathlib import Path
 
@@ -153,7 +153,7 @@ def test_java_is_found_by_file_class_and_method(
         ("a run", []),
     ],
 )
-def test_of_long_tests_none_but_these_are_found(
+def test_long_java_tests_are_found_for_soak_only(
     pattern: str, expected: list[str], root: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert found(root, pattern, "soak", capsys) == expected
@@ -213,13 +213,11 @@ def test_python_is_found_by_file_name_and_case(
     ]
 
 
-def test_of_python_too_long_tests_are_found_apart(root: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_long_python_tests_are_found_for_soak_only(root: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert found(root, "test_air", "soak", capsys, "snake") == ["pytest snake tests/test_air.py::test_lasts"]
 
 
-def test_a_class_of_the_same_name_elsewhere_is_another_one(
-    root: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_java_classes_of_same_name_in_other_packages(root: Path, capsys: pytest.CaptureFixture[str]) -> None:
     other = root / "dronemap-b/src/test/java/org/b/FileStoreTest.java"
     other.write_text(
         """package org.b;
@@ -237,16 +235,14 @@ class FileStoreTest extends StoreContract {}
     ]
 
 
-def test_how_many_match_is_told(root: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_number_of_matches_is_printed(root: Path, capsys: pytest.CaptureFixture[str]) -> None:
     only.main(["test", "flies", "snake"], root)
     assert capsys.readouterr().err.splitlines()[-1] == "2 tests match 'flies'"
     only.main(["test", "flies[c]", "snake"], root)
     assert capsys.readouterr().err.splitlines()[-1] == "1 test matches 'flies[c]'"
 
 
-def test_a_project_whose_tests_cannot_be_listed_is_told(
-    root: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_uncollectable_project_is_reported(root: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (root / "snake/tests/test_broken.py").write_text("import nothing_like_this")
     assert only.main(["test", "flies", "snake"], root) == 1
     assert capsys.readouterr().err.splitlines()[-1] == "The tests of snake cannot be listed."

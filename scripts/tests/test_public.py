@@ -25,11 +25,11 @@ def make_certificates(folder: Path, *names: str) -> None:
         )
 
 
-def check_page_for_phones(built: Checkout, told: str) -> None:
+def check_phone_page(built: Checkout, output: str) -> None:
     """It hands out who signed the certificate, by the fingerprint that the terminal shows."""
     port = built.settings["DRONEMAP_PHONE_PORT"]
-    shown = re.search(rf"For phones: http://\S+:{port}/ \(fingerprint there: ([0-9A-F:]+)\)", told)
-    assert shown, told
+    shown = re.search(rf"For phones: http://\S+:{port}/ \(fingerprint there: ([0-9A-F:]+)\)", output)
+    assert shown, output
     status, page = get(f"http://127.0.0.1:{port}/")
     assert status == 200
     assert shown[1] in page
@@ -53,9 +53,7 @@ def check_own_certificate(built: Checkout, folder: Path) -> None:
     assert shown.strip() == (folder / "one.pem").read_text().strip()
 
 
-def test_stays_closed_to_the_network_until_the_first_password_is_changed(
-    built: Checkout, tmp_path: Path
-) -> None:
+def test_public_server_stays_closed_until_first_password_is_changed(built: Checkout, tmp_path: Path) -> None:
     never_started = built.run("up", "--public", "--no-demo")
     assert never_started.returncode == PASSWORD_MUST_CHANGE
     assert "Run ./dronemap up" in never_started.stderr
@@ -79,7 +77,7 @@ def test_stays_closed_to_the_network_until_the_first_password_is_changed(
     status, page = get(f"https://127.0.0.1:{built.http_port}/")
     assert status == 200
     assert "<html" in page.lower()
-    check_page_for_phones(built, public.stdout)
+    check_phone_page(built, public.stdout)
     addresses = listeners(descendants(built.data))
     assert any(re.match(rf"(0\.0\.0\.0|\*|\[::\]):{built.http_port}$", a) for a in addresses), addresses
 

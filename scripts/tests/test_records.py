@@ -8,17 +8,17 @@ import zipfile
 from pathlib import Path
 
 from .conftest import Checkout
-from .running import NEW_PASSWORD, ask
+from .running import NEW_PASSWORD, call_rest
 
 WRONG_USE = 2
 RECORDS_CHANGED = 10
 DEED = "a deed to be found"
 
 
-def test_what_was_backed_up_is_there_after_a_restore(built: Checkout, tmp_path: Path) -> None:
+def test_restore_brings_back_backup(built: Checkout, tmp_path: Path) -> None:
     assert built.run("up", "--no-demo").returncode == 0
     assert built.run("password", text=NEW_PASSWORD + "\n").returncode == 0
-    receipt = take_a_receipt(built, tmp_path)
+    receipt = download_receipt(built, tmp_path)
     backup = tmp_path / "backup.zip"
     made = built.run("backup", str(backup))
     assert made.returncode == 0, made.stderr
@@ -29,9 +29,9 @@ def test_what_was_backed_up_is_there_after_a_restore(built: Checkout, tmp_path: 
     running = built.run("restore", str(backup), "--yes")
     assert running.returncode == 1
     assert "Stop it with ./dronemap down" in running.stderr
-    check_that_a_changed_receipt_shows(built, receipt)
+    check_changed_receipt_is_found(built, receipt)
     assert built.run("down").returncode == 0
-    check_the_records(built, receipt)
+    check_records(built, receipt)
     unsure = built.run("restore", str(backup))
     assert unsure.returncode == WRONG_USE
     assert "--yes" in unsure.stderr
@@ -42,40 +42,40 @@ def test_what_was_backed_up_is_there_after_a_restore(built: Checkout, tmp_path: 
     (built.data / "audit-key").write_bytes(records_key)
     restored = built.run("restore", str(backup))
     assert restored.returncode == 0, restored.stderr
-    check_the_records(built, receipt)
-    check_that_a_changed_record_shows(built, backup, receipt)
-    check_that_a_broken_backup_changes_nothing(built, backup)
+    check_records(built, receipt)
+    check_changed_record_is_found(built, backup, receipt)
+    check_broken_backup_changes_nothing(built, backup)
     assert built.run("up", "--no-demo").returncode == 0
     assert not (built.data / "first-password.txt").exists(), "the restored administrator has a password"
     still_known = built.run("password", text=f"{NEW_PASSWORD}\nanother long phrase\n")
     assert still_known.returncode == 0, still_known.stderr
 
 
-def take_a_receipt(built: Checkout, folder: Path) -> Path:
+def download_receipt(built: Checkout, folder: Path) -> Path:
     """For all that was done up to now, a deed of a known name among it."""
-    ask(built, "/invitations", {"label": DEED, "role": "viewer"})
+    call_rest(built, "/invitations", {"label": DEED, "role": "viewer"})
     receipt = folder / "receipt.json"
-    receipt.write_text(ask(built, "/audit/receipt"))
-    check_the_records(built, receipt)
+    receipt.write_text(call_rest(built, "/audit/receipt"))
+    check_records(built, receipt)
     return receipt
 
 
-def check_the_records(built: Checkout, receipt: Path) -> None:
+def check_records(built: Checkout, receipt: Path) -> None:
     for given in ((), ("--receipt", str(receipt))):
         sound = built.run("verify-audit", *given)
         assert sound.returncode == 0, sound.stderr
         assert re.search(r"\d+ records", sound.stdout + sound.stderr), sound
 
 
-def check_that_a_changed_receipt_shows(built: Checkout, receipt: Path) -> None:
-    said = json.loads(receipt.read_text())
+def check_changed_receipt_is_found(built: Checkout, receipt: Path) -> None:
+    receipt_json = json.loads(receipt.read_text())
     forged = receipt.with_name("forged.json")
-    forged.write_text(json.dumps(said | {"hash": said["hash"][:-1] + "x"}))
+    forged.write_text(json.dumps(receipt_json | {"hash": receipt_json["hash"][:-1] + "x"}))
     outcome = built.run("verify-audit", "--receipt", str(forged))
     assert outcome.returncode == RECORDS_CHANGED, outcome.stderr
 
 
-def check_that_a_changed_record_shows(built: Checkout, backup: Path, receipt: Path) -> None:
+def check_changed_record_is_found(built: Checkout, backup: Path, receipt: Path) -> None:
     """One word of it, by somebody who can make a backup look whole."""
     changed = backup.with_name("changed.zip")
     with zipfile.ZipFile(backup) as before, zipfile.ZipFile(changed, "w") as after:
@@ -93,10 +93,10 @@ def check_that_a_changed_record_shows(built: Checkout, backup: Path, receipt: Pa
     assert outcome.returncode == RECORDS_CHANGED, outcome.stderr
     assert re.search(r"Record \d+ was changed", outcome.stderr), outcome.stderr
     assert built.run("restore", str(backup), "--yes").returncode == 0
-    check_the_records(built, receipt)
+    check_records(built, receipt)
 
 
-def check_that_a_broken_backup_changes_nothing(built: Checkout, backup: Path) -> None:
+def check_broken_backup_changes_nothing(built: Checkout, backup: Path) -> None:
     cut = backup.with_name("cut.zip")
     cut.write_bytes(backup.read_bytes()[: backup.stat().st_size // 2])
     outcome = built.run("restore", str(cut), "--yes")

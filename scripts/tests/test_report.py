@@ -30,7 +30,7 @@ def test_counts_every_case_of_a_report(tmp_path: Path, capsys: pytest.CaptureFix
     assert "FAILED A lands" in printed
 
 
-def test_repeats_what_a_failed_test_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_failure_messages_are_printed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     long = "\n".join(f"line {number}" for number in range(100))
     case = f'<testcase classname="B" name="turns"><failure message="m">{long}</failure></testcase>'
     (tmp_path / "TEST-a.xml").write_text(JUNIT.replace("</testsuite>", f"{case}</testsuite>"))
@@ -38,11 +38,11 @@ def test_repeats_what_a_failed_test_said(tmp_path: Path, capsys: pytest.CaptureF
     lines = capsys.readouterr().out.splitlines()
     assert lines[lines.index("FAILED A lands") + 1] == "    at …"
     assert lines[lines.index("FAILED A dives") + 1] == "    no water"
-    said = lines[lines.index("FAILED B turns") + 1 :]
-    assert said[0] == "    line 0" and "    line 99" in said and "    line 50" not in said
+    messages = lines[lines.index("FAILED B turns") + 1 :]
+    assert messages[0] == "    line 0" and "    line 99" in messages and "    line 50" not in messages
 
 
-def test_says_what_adapters_were_tried_on(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_adapter_versions_are_printed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     output = "<system-out>12:00 noise\ntried on: PostgresTest, PostgreSQL 18.3\n</system-out>"
     (tmp_path / "TEST-a.xml").write_text(f'<testsuite><testcase name="a">{output}</testcase></testsuite>')
     report.main(results(tmp_path, ("java", "junit", f"{tmp_path}/TEST-*.xml", "log")))
@@ -54,9 +54,7 @@ def test_passes_when_all_passed(tmp_path: Path, capsys: pytest.CaptureFixture[st
     assert capsys.readouterr().out.splitlines()[-1] == "1 passed, 0 failed, 0 skipped"
 
 
-def test_what_could_not_be_checked_is_called_not_proved(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_unchecked_suites_are_not_proved(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     lines = (("shell", "passed", "shellcheck", ""), ("supply", "skipped", "no database", ""))
     assert report.main(results(tmp_path, *lines)) == 0
     printed = capsys.readouterr().out
@@ -116,9 +114,7 @@ def test_names_the_slowest_over_all_suites(tmp_path: Path, capsys: pytest.Captur
     assert slowest[10] == ""
 
 
-def test_what_a_class_took_beside_its_tests_counts_among_the_slowest(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_class_setup_time_counts_among_slowest(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (tmp_path / "a.xml").write_text(f'<testsuite name="A" time="30.5">{case("one", 1)}</testsuite>')
     (tmp_path / "b.xml").write_text(f'<testsuite name="pytest" time="90">{case("two", 2)}</testsuite>')
     report.main(results(tmp_path, ("java", "junit", f"{tmp_path}/?.xml", "log")))
@@ -136,7 +132,7 @@ def test_what_a_class_took_beside_its_tests_counts_among_the_slowest(
     ],
     ids=["assumption of Java", "abortion in Java", "Python", "TypeScript"],
 )
-def test_each_language_s_skips_are_told_with_their_reason(
+def test_skip_reasons_of_each_language_are_printed(
     inside: str, reason: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "a.xml").write_text(f"<testsuite>{case('sails', 0, inside)}{case('flies')}</testsuite>")
@@ -146,9 +142,7 @@ def test_each_language_s_skips_are_told_with_their_reason(
     assert printed.splitlines()[-1] == "1 passed, 0 failed, 1 skipped"
 
 
-def test_tests_that_nobody_asked_for_are_not_called_skipped(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_deselected_tests_are_not_skips(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     left_out = case("sails", 0, "<skipped/>") + case("dives", 0, '<skipped message="no water"/>')
     (tmp_path / "a.xml").write_text(f"<testsuite>{left_out}{case('flies')}</testsuite>")
     report.main(results(tmp_path, ("web", "named", f"{tmp_path}/a.xml", "log")))
@@ -157,9 +151,7 @@ def test_tests_that_nobody_asked_for_are_not_called_skipped(
     assert printed.splitlines()[-1] == "1 passed, 0 failed, 1 skipped"
 
 
-def test_how_often_each_test_failed_in_several_rounds_is_told(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_failures_per_round_are_printed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     failed, passed = case("lands", 1, '<failure message="crashed"/>'), case("lands", 1)
     for number, landed in enumerate((passed, failed, failed, passed)):
         (tmp_path / f"{number}.xml").write_text(f"<testsuite>{landed}{case('flies', 1)}</testsuite>")
@@ -171,7 +163,7 @@ def test_how_often_each_test_failed_in_several_rounds_is_told(
     assert printed.splitlines()[-1] == "6 passed, 2 failed, 0 skipped"
 
 
-def test_a_failure_in_one_report_hides_no_error_outside_tests_in_another(
+def test_failure_does_not_hide_error_of_another_report(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "TEST-a.xml").write_text(JUNIT)

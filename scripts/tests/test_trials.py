@@ -11,6 +11,9 @@ from pathlib import Path
 
 import pytest
 
+import trial_results
+import trial_table
+import trial_units
 import trials
 
 from .conftest import ROOT
@@ -42,7 +45,7 @@ units = "1-2"
 """
 
 
-class Field:
+class TrialCheckout:
     """A checkout with trials of its own, whose units do as `unit.sh` says and are noted in `ran`."""
 
     def __init__(self, root: Path) -> None:
@@ -51,11 +54,12 @@ class Field:
         (root / "tests").mkdir()
         for name in ("yes", "no", "also"):
             (root / "tests" / f"{name}.py").touch()
-        shutil.copy2(ROOT / "scripts" / "trials.py", root / "scripts")
+        for module in ("trials", "trial_table", "trial_results", "trial_units"):
+            shutil.copy2(ROOT / "scripts" / f"{module}.py", root / "scripts")
         (root / "scripts" / "trials.toml").write_text(TABLE)
-        self.does("exit 0")
+        self.set_unit_script("exit 0")
 
-    def does(self, what: str) -> None:
+    def set_unit_script(self, what: str) -> None:
         (self.root / "unit.sh").write_text(f'echo "$1" >>ran\n{what}\n')
 
     def command(self, *arguments: str) -> list[str]:
@@ -79,27 +83,27 @@ class Field:
 
 
 @pytest.fixture
-def field(tmp_path: Path) -> Field:
-    return Field(tmp_path)
+def trial_checkout(tmp_path: Path) -> TrialCheckout:
+    return TrialCheckout(tmp_path)
 
 
-def alive(pid: str) -> bool:
+def is_alive(pid: str) -> bool:
     stat = Path(f"/proc/{pid}/stat")
     return stat.exists() and stat.read_text().rpartition(")")[2].split()[0] != "Z"
 
 
-def test_without_a_name_all_are_listed_with_how_far_they_are(field: Field) -> None:
-    field.does("test $1 != 2")
-    assert field.run("seeds").returncode == 1
-    listed = field.run().stdout.splitlines()
+def test_list_shows_progress_of_all_trials(trial_checkout: TrialCheckout) -> None:
+    trial_checkout.set_unit_script("test $1 != 2")
+    assert trial_checkout.run("seeds").returncode == 1
+    listed = trial_checkout.run().stdout.splitlines()
     assert listed[0].split(None, 1) == ["seeds", "3 of 3, 1 failed  Three seeds."]
     assert listed[1].split(None, 1)[1].startswith("0 of 2 ")
     assert listed[2].split(None, 1)[1].startswith("0 of 2 ")
 
 
-def test_results_are_shown_where_readers_look(field: Field) -> None:
-    assert field.run("seeds").returncode == 0
-    lines = field.results("seeds")
+def test_results_are_published_in_docs(trial_checkout: TrialCheckout) -> None:
+    assert trial_checkout.run("seeds").returncode == 0
+    lines = trial_checkout.results("seeds")
     assert lines[0] == "# seeds: Three seeds."
     assert lines[2] == "# 3 of 3 units done, 0 failed"
     assert lines[3] == "unit\tresult\tseconds\tload before\tload\tcores\tcommit\tprocessor"
@@ -108,83 +112,90 @@ def test_results_are_shown_where_readers_look(field: Field) -> None:
         assert values[:2] == [unit, "passed"]
         assert 0 <= float(values[2]) < 30 and float(values[3]) >= 0 and float(values[4]) >= 0
         assert values[5] == str(len(os.sched_getaffinity(0)))
-        assert values[7] == trials.processor() != ""
+        assert values[7] == trial_units.processor() != ""
 
 
-def test_the_commit_is_told_and_whether_files_differ_from_it(field: Field) -> None:
-    git = ["git", "-c", "user.name=a", "-c", "user.email=a@b", "-C", str(field.root)]
-    (field.root / ".gitignore").write_text(".tools\nran\n")
-    for words in (["init", "-q"], ["add", "-A"], ["commit", "-qm", "x"]):
-        subprocess.run([*git, *words], check=True)
+def test_result_names_commit_and_local_changes(trial_checkout: TrialCheckout) -> None:
+    git = ["git", "-c", "user.name=a", "-c", "user.email=a@b", "-C", str(trial_checkout.root)]
+    (trial_checkout.root / ".gitignore").write_text(".tools\nran\n__pycache__\n")
+    for arguments in (["init", "-q"], ["add", "-A"], ["commit", "-qm", "x"]):
+        subprocess.run([*git, *arguments], check=True)
     commit = subprocess.run(
         [*git, "rev-parse", "--short=10", "HEAD"], text=True, capture_output=True, check=True
     )
-    field.run("seeds")
-    assert [line.split("\t")[6] for line in field.results("seeds")[4:]] == [commit.stdout.strip()] * 3
-    field.does("exit 0 # changed")
-    field.run("seeds", "--again")
-    assert field.results("seeds")[4].split("\t")[6] == commit.stdout.strip() + "+"
+    trial_checkout.run("seeds")
+    assert [line.split("\t")[6] for line in trial_checkout.results("seeds")[4:]] == [
+        commit.stdout.strip()
+    ] * 3
+    trial_checkout.set_unit_script("exit 0 # changed")
+    trial_checkout.run("seeds", "--again")
+    assert trial_checkout.results("seeds")[4].split("\t")[6] == commit.stdout.strip() + "+"
 
 
-def test_what_is_done_is_not_run_again_whatever_came_of_it(field: Field) -> None:
-    field.does("test $1 != 2")
-    first = field.run("seeds")
+def test_finished_units_are_not_run_again(trial_checkout: TrialCheckout) -> None:
+    trial_checkout.set_unit_script("test $1 != 2")
+    first = trial_checkout.run("seeds")
     assert "unit 2 failed (1)" in first.stdout
-    field.does("exit 0")
-    again = field.run("seeds")
+    trial_checkout.set_unit_script("exit 0")
+    again = trial_checkout.run("seeds")
     assert again.returncode == 1, "a unit that failed once has failed"
-    assert field.ran == ["1", "2", "3"]
-    assert field.results("seeds")[5].startswith("2\tfailed (1)\t")
+    assert trial_checkout.ran == ["1", "2", "3"]
+    assert trial_checkout.results("seeds")[5].startswith("2\tfailed (1)\t")
 
 
-def test_again_forgets_what_was_found(field: Field) -> None:
-    field.does("exit 1")
-    field.run("seeds")
-    field.does("exit 0")
-    assert field.run("seeds", "--again").returncode == 0
-    assert field.ran == ["1", "2", "3"] * 2
+def test_again_discards_results(trial_checkout: TrialCheckout) -> None:
+    trial_checkout.set_unit_script("exit 1")
+    trial_checkout.run("seeds")
+    trial_checkout.set_unit_script("exit 0")
+    assert trial_checkout.run("seeds", "--again").returncode == 0
+    assert trial_checkout.ran == ["1", "2", "3"] * 2
 
 
-def in_the_second_unit(field: Field) -> subprocess.Popen[str]:
+def running_second_unit(trial_checkout: TrialCheckout) -> subprocess.Popen[str]:
     """A trial whose second unit says which process it is, and waits."""
-    field.does('if [ "$1" = 2 ] && [ ! -e resumed ]; then echo $$ >waits; sleep 300; fi')
+    trial_checkout.set_unit_script('if [ "$1" = 2 ] && [ ! -e resumed ]; then echo $$ >waits; sleep 300; fi')
     run = subprocess.Popen(
-        field.command("seeds"), text=True, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL
+        trial_checkout.command("seeds"), text=True, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL
     )
     until(
         "it has begun",
-        lambda: (field.root / "waits").exists() and (field.root / "waits").read_text().strip() != "",
+        lambda: (
+            (trial_checkout.root / "waits").exists()
+            and (trial_checkout.root / "waits").read_text().strip() != ""
+        ),
     )
     return run
 
 
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT])
-def test_a_trial_that_was_ended_in_the_middle_goes_on_with_the_unit_that_it_was_at(
-    field: Field, number: signal.Signals
+def test_interrupted_trial_continues_with_its_unit(
+    trial_checkout: TrialCheckout, number: signal.Signals
 ) -> None:
-    with in_the_second_unit(field) as run:
+    with running_second_unit(trial_checkout) as run:
         run.send_signal(number)
-        said = run.communicate(timeout=60)[1]
-    assert run.returncode == (-number if number == signal.SIGKILL else trials.INTERRUPTED)
-    assert number == signal.SIGKILL or "run the same command again and it goes on" in said
-    unit = (field.root / "waits").read_text().strip()
-    until("it has ended", lambda: not alive(unit))
-    assert len(field.state("seeds").read_text().splitlines()) == 1
-    assert field.results("seeds")[2] == "# 1 of 3 units done, 0 failed", "shown at once, not at the end"
+        errors = run.communicate(timeout=60)[1]
+    assert run.returncode == (-number if number == signal.SIGKILL else trial_units.INTERRUPTED)
+    assert number == signal.SIGKILL or "run the same command again and it goes on" in errors
+    unit = (trial_checkout.root / "waits").read_text().strip()
+    until("it has ended", lambda: not is_alive(unit))
+    assert len(trial_checkout.state("seeds").read_text().splitlines()) == 1
+    assert trial_checkout.results("seeds")[2] == "# 1 of 3 units done, 0 failed", (
+        "shown at once, not at the end"
+    )
 
-    (field.root / "resumed").touch()
-    resumed = field.run("seeds")
+    (trial_checkout.root / "resumed").touch()
+    resumed = trial_checkout.run("seeds")
     assert resumed.returncode == 0, resumed.stderr
-    assert field.ran == ["1", "2", "2", "3"]
-    assert field.results("seeds")[2] == "# 3 of 3 units done, 0 failed"
+    assert trial_checkout.ran == ["1", "2", "2", "3"]
+    assert trial_checkout.results("seeds")[2] == "# 3 of 3 units done, 0 failed"
 
 
-def test_a_unit_that_was_ended_from_outside_counts_for_nothing(field: Field) -> None:
-    field.does("exit 143")
-    outcome = field.run("seeds")
+def test_killed_unit_is_not_recorded(trial_checkout: TrialCheckout) -> None:
+    trial_checkout.set_unit_script("exit 143")
+    outcome = trial_checkout.run("seeds")
     assert outcome.returncode == 1
     assert "The unit 1 was ended from outside" in outcome.stderr
-    assert not field.state("seeds").exists()
+    assert not trial_checkout.state("seeds").exists()
 
 
 @pytest.mark.parametrize(
@@ -200,39 +211,41 @@ def test_a_unit_that_was_ended_from_outside_counts_for_nothing(field: Field) -> 
     ],
     ids=["changed", "bytes", "cut off", "no sum", "no text", "another unit", "gone"],
 )
-def test_a_damaged_line_is_told_and_its_unit_runs_again(field: Field, damage: Callable[[str], str]) -> None:
-    field.run("seeds")
-    lines = field.state("seeds").read_text().splitlines()
+def test_damaged_line_is_reported_and_unit_runs_again(
+    trial_checkout: TrialCheckout, damage: Callable[[str], str]
+) -> None:
+    trial_checkout.run("seeds")
+    lines = trial_checkout.state("seeds").read_text().splitlines()
     lines[1] = damage(lines[1])
-    field.state("seeds").write_bytes("\n".join(lines).encode(errors="surrogateescape"))
-    told = field.run()
-    assert told.returncode == 0 and "2 of 3 " in told.stdout
-    again = field.run("seeds")
+    trial_checkout.state("seeds").write_bytes("\n".join(lines).encode(errors="surrogateescape"))
+    listed = trial_checkout.run()
+    assert listed.returncode == 0 and "2 of 3 " in listed.stdout
+    again = trial_checkout.run("seeds")
     if lines[1]:
-        for outcome in (told, again):
-            assert f"Line 2 of {field.state('seeds')} is damaged" in outcome.stderr
-    assert field.ran == ["1", "2", "3", "2"]
-    assert again.returncode == 0 and field.run("seeds").stderr == ""
+        for outcome in (listed, again):
+            assert f"Line 2 of {trial_checkout.state('seeds')} is damaged" in outcome.stderr
+    assert trial_checkout.ran == ["1", "2", "3", "2"]
+    assert again.returncode == 0 and trial_checkout.run("seeds").stderr == ""
 
 
-def test_what_another_command_found_counts_for_nothing(field: Field) -> None:
-    field.run("seeds")
-    table = field.root / "scripts" / "trials.toml"
+def test_results_of_another_command_are_ignored(trial_checkout: TrialCheckout) -> None:
+    trial_checkout.run("seeds")
+    table = trial_checkout.root / "scripts" / "trials.toml"
     table.write_text(TABLE.replace('run = "sh unit.sh {unit}"', 'run = "sh unit.sh {unit} more"', 1))
-    assert field.run("seeds").stderr.count("of another command") == 3
-    assert field.ran == ["1", "2", "3"] * 2
+    assert trial_checkout.run("seeds").stderr.count("of another command") == 3
+    assert trial_checkout.ran == ["1", "2", "3"] * 2
 
 
-def test_no_unit_begins_that_would_end_after_the_time(
+def test_no_unit_starts_that_would_exceed_the_time(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Units of 50 s in two minutes are two; a trial with less time than one takes comes on by one."""
-    Field(tmp_path)
+    TrialCheckout(tmp_path)
     now = [0.0]
 
-    def fifty_seconds(trial: trials.Trial, unit: str, root: Path, log: Path) -> trials.Finished:
+    def fifty_seconds(trial: trial_table.Trial, unit: str, root: Path, log: Path) -> trial_results.UnitResult:
         now[0] += 50
-        return trials.Finished(unit, "passed", "50.0", "0", "0", "2", "abc", "cpu")
+        return trial_results.UnitResult(unit, "passed", "50.0", "0", "0", "2", "abc", "cpu")
 
     monkeypatch.setattr(trials, "run_unit", fifty_seconds)
     monkeypatch.setattr("trials.time.monotonic", lambda: now[0])
@@ -244,53 +257,61 @@ def test_no_unit_begins_that_would_end_after_the_time(
     assert "2 of 3." in capsys.readouterr().out.splitlines()[-1]
 
 
-def test_a_busy_process_runs_beside_each_unit_and_ends_with_it(field: Field) -> None:
-    field.does("ps -o pid=,args= --ppid $PPID | grep 'while True: pass' >>busy")
-    assert field.run("names").returncode == 0
-    busy = (field.root / "busy").read_text().splitlines()
+def test_busy_process_runs_during_each_unit(trial_checkout: TrialCheckout) -> None:
+    trial_checkout.set_unit_script("ps -o pid=,args= --ppid $PPID | grep 'while True: pass' >>busy")
+    assert trial_checkout.run("names").returncode == 0
+    busy = (trial_checkout.root / "busy").read_text().splitlines()
     assert len(busy) == 2
-    assert not any(alive(line.split()[0]) for line in busy)
-    assert field.results("names")[1].endswith("beside 1 busy process(es)")
+    assert not any(is_alive(line.split()[0]) for line in busy)
+    assert trial_checkout.results("names")[1].endswith("beside 1 busy process(es)")
 
 
-def test_busy_processes_end_with_a_trial_that_is_killed(field: Field) -> None:
-    field.does("ps -o pid=,args= --ppid $PPID | grep 'while True: pass' >busy; sleep 300")
-    with subprocess.Popen(field.command("names"), stdout=subprocess.DEVNULL) as run:
+def test_busy_processes_end_when_trial_is_killed(trial_checkout: TrialCheckout) -> None:
+    trial_checkout.set_unit_script("ps -o pid=,args= --ppid $PPID | grep 'while True: pass' >busy; sleep 300")
+    with subprocess.Popen(trial_checkout.command("names"), stdout=subprocess.DEVNULL) as run:
         until(
-            "it is busy", lambda: (field.root / "busy").exists() and (field.root / "busy").read_text() != ""
+            "it is busy",
+            lambda: (
+                (trial_checkout.root / "busy").exists() and (trial_checkout.root / "busy").read_text() != ""
+            ),
         )
         run.kill()
-    until("it has ended", lambda: not alive((field.root / "busy").read_text().split()[0]))
+    until("it has ended", lambda: not is_alive((trial_checkout.root / "busy").read_text().split()[0]))
 
 
-def test_files_are_units_but_those_left_out(field: Field, monkeypatch: pytest.MonkeyPatch) -> None:
-    refused = field.run("files")
+def test_files_are_units_except_excluded_ones(
+    trial_checkout: TrialCheckout, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    refused = trial_checkout.run("files")
     assert refused.returncode == 1 and "needs SOMETHING_THAT_IS_NOT_THERE" in refused.stderr
     monkeypatch.setenv("SOMETHING_THAT_IS_NOT_THERE", "here")
-    assert field.run("files").returncode == 0
-    assert [line.split("\t")[0] for line in field.results("files")[4:]] == ["tests/also.py", "tests/yes.py"]
+    assert trial_checkout.run("files").returncode == 0
+    assert [line.split("\t")[0] for line in trial_checkout.results("files")[4:]] == [
+        "tests/also.py",
+        "tests/yes.py",
+    ]
 
 
-def test_a_command_that_cannot_be_run_is_no_failed_unit(field: Field) -> None:
-    outcome = field.run("nothing")
+def test_missing_command_is_not_a_failed_unit(trial_checkout: TrialCheckout) -> None:
+    outcome = trial_checkout.run("nothing")
     assert outcome.returncode == 1
     assert "The command of 'nothing' cannot be run" in outcome.stderr
-    assert not field.state("nothing").exists()
+    assert not trial_checkout.state("nothing").exists()
 
 
-def test_a_checkout_in_which_something_else_works_is_no_reason_to_fail_a_unit(
-    field: Field, monkeypatch: pytest.MonkeyPatch
+def test_busy_checkout_is_not_a_failed_unit(
+    trial_checkout: TrialCheckout, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    (field.root / ".tools").mkdir()
+    (trial_checkout.root / ".tools").mkdir()
     monkeypatch.setattr(trials, "END_SECONDS", 0.3)
-    with trials.alone(field.root / ".tools" / "lock", ""):
-        assert trials.main(["seeds"], field.root) == 1
-    assert field.ran == []
+    with trial_units.exclusive_lock(trial_checkout.root / ".tools" / "lock", ""):
+        assert trials.main(["seeds"], trial_checkout.root) == 1
+    assert trial_checkout.ran == []
 
 
-def test_the_same_trial_runs_once_at_a_time(field: Field) -> None:
-    with in_the_second_unit(field) as run:
-        outcome = field.run("seeds")
+def test_trial_does_not_run_twice_at_once(trial_checkout: TrialCheckout) -> None:
+    with running_second_unit(trial_checkout) as run:
+        outcome = trial_checkout.run("seeds")
         run.terminate()
     assert outcome.returncode == 1
     assert "The trial 'seeds' is being run already" in outcome.stderr
@@ -306,8 +327,10 @@ def test_the_same_trial_runs_once_at_a_time(field: Field) -> None:
         (["seeds", "--loud"], "unrecognized arguments: --loud"),
     ],
 )
-def test_wrong_use_is_answered_with_a_sentence(field: Field, arguments: list[str], sentence: str) -> None:
-    outcome = field.run(*arguments)
+def test_wrong_use_is_answered_with_a_sentence(
+    trial_checkout: TrialCheckout, arguments: list[str], sentence: str
+) -> None:
+    outcome = trial_checkout.run(*arguments)
     assert outcome.returncode == trials.USAGE
     assert outcome.stderr.startswith("dronemap: ") and sentence in outcome.stderr
 
@@ -325,14 +348,14 @@ def test_wrong_use_is_answered_with_a_sentence(field: Field, arguments: list[str
         ("[a", "is not readable"),
     ],
 )
-def test_a_table_with_a_mistake_is_refused(field: Field, entry: str, sentence: str) -> None:
-    (field.root / "scripts" / "trials.toml").write_text(entry)
-    outcome = field.run()
+def test_invalid_trial_table_is_refused(trial_checkout: TrialCheckout, entry: str, sentence: str) -> None:
+    (trial_checkout.root / "scripts" / "trials.toml").write_text(entry)
+    outcome = trial_checkout.run()
     assert outcome.returncode == 1
     assert sentence in outcome.stderr
 
 
-# --- what this checkout declares ---
+# --- what this trial_checkout declares ---
 
 
 def is_marked(node: ast.AST) -> bool:
@@ -340,7 +363,7 @@ def is_marked(node: ast.AST) -> bool:
 
 
 def kinds_of(file: Path) -> tuple[bool, bool]:
-    """Whether it has ordinary tests, and whether long ones."""
+    """Kinds of tests in a file: ordinary ones, long ones."""
     ordinary = long = False
     for node in ast.walk(ast.parse(file.read_text())):
         if isinstance(node, ast.FunctionDef) and node.name.startswith("test_"):
@@ -350,8 +373,8 @@ def kinds_of(file: Path) -> tuple[bool, bool]:
     return ordinary, long
 
 
-def test_each_file_with_long_tests_has_its_trial() -> None:
-    commands = [trial.run for trial in trials.declared(ROOT).values()]
+def test_each_file_with_long_tests_has_a_trial() -> None:
+    commands = [trial.run for trial in trial_table.load_trials(ROOT).values()]
     python = [
         path for project in ("bench", "e2e", "scripts") for path in (ROOT / project).glob("tests/test_*.py")
     ]
@@ -368,6 +391,6 @@ def test_each_file_with_long_tests_has_its_trial() -> None:
 
 
 def test_each_file_of_ordinary_end_to_end_tests_is_repeated() -> None:
-    units = trials.declared(ROOT)["repeat-e2e"].units
+    units = trial_table.load_trials(ROOT)["repeat-e2e"].units
     files = [path for path in sorted((ROOT / "e2e").glob("tests/test_*.py")) if kinds_of(path)[0]]
     assert units == [str(path.relative_to(ROOT)) for path in files]

@@ -1,4 +1,4 @@
-"""What goes wrong on real machines: each gets its exit code and a sentence that says what to do."""
+"""Faults of real machines: each gets its exit code and a sentence that says what to do."""
 
 import contextlib
 import os
@@ -22,16 +22,16 @@ NOBODY = 65534
 
 
 def read_until(output: IO[bytes], text: str, seconds: float) -> str:
-    """What a program prints up to that text, as soon as it is there."""
+    """Reads a program's output up to that text, as soon as it is there."""
     deadline = time.monotonic() + seconds
-    heard = ""
-    while text not in heard:
+    printed = ""
+    while text not in printed:
         left = max(0.0, deadline - time.monotonic())
-        assert select.select([output], [], [], left)[0], f"no '{text}' within {seconds} s: {heard}"
+        assert select.select([output], [], [], left)[0], f"no '{text}' within {seconds} s: {printed}"
         piece = os.read(output.fileno(), 65_536).decode(errors="replace")
-        assert piece, f"it ended without '{text}': {heard}"
-        heard += piece
-    return heard
+        assert piece, f"it ended without '{text}': {printed}"
+        printed += piece
+    return printed
 
 
 def processes_of(folder: Path) -> list[str]:
@@ -54,7 +54,7 @@ def processes_of(folder: Path) -> list[str]:
         ("DRONEMAP_MAVLINK_TCP", socket.SOCK_STREAM, "vehicles (tcp)"),
     ],
 )
-def test_says_which_port_is_taken_and_by_which_process(
+def test_port_in_use_is_reported_with_its_process(
     untouched: Checkout, setting: str, kind: int, use: str
 ) -> None:
     port = untouched.settings[setting]
@@ -70,15 +70,15 @@ def test_says_which_port_is_taken_and_by_which_process(
     assert f"{setting}=" in outcome.stderr
 
 
-def show_to_everybody(path: Path) -> None:
+def allow_reading(path: Path) -> None:
     for folder in (path, *path.parents):
         if folder.stat().st_mode & 0o755 != 0o755:
             folder.chmod(0o755)
 
 
 @needs_root
-def test_says_what_to_install_without_rights_and_sudo(checkout: Checkout) -> None:
-    show_to_everybody(checkout.path)
+def test_missing_packages_are_named_without_sudo(checkout: Checkout) -> None:
+    allow_reading(checkout.path)
     subprocess.run(["chown", "-R", str(NOBODY), checkout.path], check=True)
     # A machine without Java, as an ordinary user: the folder of JDKs is hidden, nothing may gain rights.
     script = (
@@ -99,8 +99,8 @@ def test_says_what_to_install_without_rights_and_sudo(checkout: Checkout) -> Non
 
 
 @needs_root
-def test_says_who_may_write_to_a_checkout_of_somebody_else(checkout: Checkout) -> None:
-    show_to_everybody(checkout.path)
+def test_checkout_of_another_user_is_reported(checkout: Checkout) -> None:
+    allow_reading(checkout.path)
     outcome = checkout.run("up", before=("setpriv", "--reuid", str(NOBODY), "--clear-groups"))
     assert outcome.returncode == RIGHTS, outcome.stderr
     assert "may not write to" in outcome.stderr
@@ -108,7 +108,7 @@ def test_says_who_may_write_to_a_checkout_of_somebody_else(checkout: Checkout) -
 
 
 @needs_root
-def test_does_not_start_to_build_on_a_nearly_full_disk(tmp_path: Path) -> None:
+def test_build_does_not_start_on_nearly_full_disk(tmp_path: Path) -> None:
     with small_disk(tmp_path / "disk", "300m") as disk:
         copy_tree(disk)
         outcome = Checkout(disk).run("build")
@@ -118,7 +118,7 @@ def test_does_not_start_to_build_on_a_nearly_full_disk(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("said", "code"),
+    ("output", "code"),
     [
         ("The disk that holds /data/postgres is full: the database needs 300 MB to start with.", DISK),
         ("The disk of the database is full; free some space, nothing was lost.", DISK),
@@ -127,11 +127,11 @@ def test_does_not_start_to_build_on_a_nearly_full_disk(tmp_path: Path) -> None:
         ("java.lang.OutOfMemoryError: Java heap space", START),
     ],
 )
-def test_tells_from_the_servers_own_words_why_it_did_not_start(
-    untouched: Checkout, tmp_path: Path, said: str, code: int
+def test_server_start_failure_is_explained_from_its_log(
+    untouched: Checkout, tmp_path: Path, output: str, code: int
 ) -> None:
     log = tmp_path / "server.log"
-    log.write_text(f"What an earlier run said: Disk quota exceeded\n{said}\n")
+    log.write_text(f"What an earlier run said: Disk quota exceeded\n{output}\n")
     earlier = len(log.read_bytes().splitlines(keepends=True)[0])
     status = untouched.inside(
         f". {untouched.path}/scripts/lib/ready.sh",
@@ -142,12 +142,10 @@ def test_tells_from_the_servers_own_words_why_it_did_not_start(
     assert int(status) == code
 
 
-def test_a_program_that_begins_late_is_not_taken_for_one_that_ended(
-    untouched: Checkout, tmp_path: Path
-) -> None:
+def test_late_start_is_not_reported_as_end(untouched: Checkout, tmp_path: Path) -> None:
     """Until it begins, which a busy machine has it do late, its process is a copy of the script."""
     waits = f"{sys.executable} -c 'import signal; signal.pause()' -Ddronemap.checkout=$DATA -jar"
-    told = untouched.inside(
+    states = untouched.inside(
         f". {untouched.path}/scripts/lib/server.sh",
         f"exec {{LOCK}}>/dev/null; DATA={tmp_path}",
         "pid_of() { touch $DATA/looked; cat $DATA/$1.pid; }",
@@ -158,10 +156,10 @@ def test_a_program_that_begins_late_is_not_taken_for_one_that_ended(
         "start_daemon sim $DATA/log $DATA/no-such-program",
         "is_running sim || echo ended",
     )
-    assert told.split() == ["runs", "ended"]
+    assert states.split() == ["runs", "ended"]
 
 
-def pretend_the_web_client_is_built(checkout: Checkout) -> None:
+def mark_web_client_built(checkout: Checkout) -> None:
     """For what ends before its page matters."""
     checkout.inside(
         "mkdir -p $APP $ROOT/web-client/dist $ROOT/web-client/node_modules",
@@ -172,9 +170,7 @@ def pretend_the_web_client_is_built(checkout: Checkout) -> None:
 
 
 @needs_root
-def test_says_that_the_network_is_missing_for_the_web_clients_packages(
-    checkout: Checkout, tmp_path: Path
-) -> None:
+def test_missing_network_for_web_packages_is_reported(checkout: Checkout, tmp_path: Path) -> None:
     # Once for each package: npm's own tries again cost half a minute of a core, and find the same.
     outcome = checkout.run(
         "build", before=("unshare", "--net"), HOME=str(tmp_path / "home"), npm_config_fetch_retries="0"
@@ -185,10 +181,8 @@ def test_says_that_the_network_is_missing_for_the_web_clients_packages(
 
 
 @needs_root
-def test_says_that_the_network_is_missing_for_the_servers_libraries(
-    checkout: Checkout, tmp_path: Path
-) -> None:
-    pretend_the_web_client_is_built(checkout)
+def test_missing_network_for_server_libraries_is_reported(checkout: Checkout, tmp_path: Path) -> None:
+    mark_web_client_built(checkout)
     repository = f"-Dmaven.repo.local={tmp_path / 'empty'}"
     outcome = checkout.run("build", before=("unshare", "--net"), MAVEN_OPTS=repository)
     assert outcome.returncode == NETWORK, outcome.stderr
@@ -207,23 +201,23 @@ def interrupted_build(checkout: Checkout) -> None:
         start_new_session=True,
     ) as build:
         assert build.stdout is not None
-        said = read_until(build.stdout, "(2 of ", 300)
+        output = read_until(build.stdout, "(2 of ", 300)
         os.killpg(build.pid, signal.SIGINT)
-        said += build.communicate(timeout=30)[0].decode()
+        output += build.communicate(timeout=30)[0].decode()
     assert build.returncode == INTERRUPTED
-    assert "Interrupted while building the server" in said
-    assert "run the same command again" in said
+    assert "Interrupted while building the server" in output
+    assert "run the same command again" in output
     assert processes_of(checkout.path) == []
 
 
-def test_an_interrupted_build_ends_cleanly_and_says_how_to_go_on(checkout: Checkout) -> None:
-    pretend_the_web_client_is_built(checkout)
+def test_interrupted_build_ends_cleanly(checkout: Checkout) -> None:
+    mark_web_client_built(checkout)
     interrupted_build(checkout)
     assert not (checkout.path / ".tools/app/dronemap.jar").exists()
 
 
 @pytest.mark.soak
-def test_an_interrupted_build_goes_on_when_run_again_and_then_has_nothing_left_to_do(
+def test_interrupted_build_continues_when_run_again(
     checkout: Checkout,
 ) -> None:
     interrupted_build(checkout)
@@ -235,7 +229,7 @@ def test_an_interrupted_build_goes_on_when_run_again_and_then_has_nothing_left_t
     assert "Building" not in unchanged.stdout
 
 
-def test_two_at_once_in_one_checkout_do_not_disturb_each_other(untouched: Checkout) -> None:
+def test_second_command_in_one_checkout_is_refused(untouched: Checkout) -> None:
     tools = untouched.path / ".tools"
     tools.mkdir(exist_ok=True)
     with subprocess.Popen(["flock", tools / "lock", "cat"], stdin=subprocess.PIPE) as holder:
@@ -270,19 +264,19 @@ def test_wrong_use_is_answered_with_a_sentence(
     assert sentence in outcome.stderr
 
 
-def test_a_port_that_is_none_is_refused(untouched: Checkout) -> None:
+def test_invalid_port_is_refused(untouched: Checkout) -> None:
     outcome = untouched.run("up", DRONEMAP_HTTP_PORT="70000")
     assert outcome.returncode == USAGE
     assert "DRONEMAP_HTTP_PORT is '70000'; it must be a port from 1 to 65535" in outcome.stderr
 
 
-def test_leaving_loopback_needs_public(untouched: Checkout) -> None:
+def test_bind_beyond_loopback_needs_public(untouched: Checkout) -> None:
     outcome = untouched.run("up", DRONEMAP_BIND="0.0.0.0", container="")
     assert outcome.returncode == USAGE
     assert "use ./dronemap up --public" in outcome.stderr
 
 
-def test_what_needs_a_running_server_says_how_to_start_it(untouched: Checkout, tmp_path: Path) -> None:
+def test_commands_without_server_explain_how_to_start_it(untouched: Checkout, tmp_path: Path) -> None:
     for arguments in (("backup", str(tmp_path / "b.zip")), ("replay", __file__), ("password",)):
         outcome = untouched.run(*arguments)
         assert outcome.returncode == 1

@@ -8,8 +8,8 @@ import socket
 import sys
 from collections.abc import Callable, Sequence
 
+from .addresses import Address, parse_address, parse_local_address
 from .bridge import Bridge
-from .places import Place, parsed, parsed_own
 from .relay import Relay
 from .signing import Signing
 
@@ -17,8 +17,8 @@ VARIABLE = "DRONEMAP_PASSPHRASE"
 DEFAULT_SYSTEM = 245
 
 
-def _place(parse: Callable[[str], Place]) -> Callable[[str], Place]:
-    def of(text: str) -> Place:
+def _argument_type(parse: Callable[[str], Address]) -> Callable[[str], Address]:
+    def of(text: str) -> Address:
         try:
             return parse(text)
         except ValueError as e:
@@ -41,18 +41,18 @@ def arguments(given: Sequence[str] | None = None) -> argparse.Namespace:
         f" The passphrase is asked for, or taken from {VARIABLE}.",
     )
     parser.add_argument(
-        "--server", type=_place(parsed), required=True, metavar="udp:HOST:14560|tcp:HOST:5790"
+        "--server", type=_argument_type(parse_address), required=True, metavar="udp:HOST:14560|tcp:HOST:5790"
     )
     side = parser.add_mutually_exclusive_group()
     side.add_argument(
         "--listen",
-        type=_place(parsed_own),
+        type=_argument_type(parse_local_address),
         metavar="127.0.0.1:PORT",
         help="the tool sends there (usual: 127.0.0.1:14550)",
     )
     side.add_argument(
         "--to",
-        type=_place(parsed_own),
+        type=_argument_type(parse_local_address),
         metavar="127.0.0.1:PORT",
         help="the tool listens there and is sent to",
     )
@@ -83,20 +83,20 @@ def relay(options: argparse.Namespace, secret: str) -> Relay:
     """Ready to run; the tool's side is open.
 
     Raises OSError when that port is taken."""
-    place: Place = options.to or options.listen or Place("127.0.0.1", 14_550)
+    address: Address = options.to or options.listen or Address("127.0.0.1", 14_550)
     system = options.system or (DEFAULT_SYSTEM if options.to else None)
     signing = Signing(secret, options.link)
     bridge = Bridge(signing, system, options.server.stream)
-    tool = socket.socket(socket.AF_INET6 if ":" in place.host else socket.AF_INET, socket.SOCK_DGRAM)
+    tool = socket.socket(socket.AF_INET6 if ":" in address.host else socket.AF_INET, socket.SOCK_DGRAM)
     try:
-        tool.bind((place.host, 0 if options.to else place.port))
+        tool.bind((address.host, 0 if options.to else address.port))
     except OSError:
         tool.close()
         raise
-    made = Relay(bridge, signing, options.server, tool)
+    opened = Relay(bridge, signing, options.server, tool)
     if options.to:
-        made.send_to((place.host, place.port))
-    return made
+        opened.send_to((address.host, address.port))
+    return opened
 
 
 def main() -> int:

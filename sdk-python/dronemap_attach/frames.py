@@ -13,13 +13,13 @@ _SEEDS: dict[int, int] = {kind.id: kind.crc_extra for kind in dialect.mavlink_ma
 _START = 0xFFFF
 
 
-def _row(byte: int) -> int:
+def _crc_row(byte: int) -> int:
     for _ in range(8):
         byte = byte >> 1 ^ 0x8408 if byte & 1 else byte >> 1
     return byte
 
 
-_TABLE = [_row(byte) for byte in range(256)]
+_TABLE = [_crc_row(byte) for byte in range(256)]
 
 
 def checksum(data: bytes, start: int = _START) -> int:
@@ -31,7 +31,7 @@ def checksum(data: bytes, start: int = _START) -> int:
 
 @cache
 def _change_of_signed_flag(payload: int) -> int:
-    """By how much the checksum of a frame with so long a payload differs when it says that it is signed.
+    """Change of the checksum of a frame with so long a payload by its signed flag.
 
     The checksum is linear: the change is the same whatever else is in the frame, so that a message that is
     not known here, whose seed nobody has, can be signed, too."""
@@ -55,7 +55,7 @@ def is_signed(frame: bytes) -> bool:
 
 
 def _length(data: bytearray, at: int) -> int | None:
-    """Of the frame that begins there; None while that cannot be told."""
+    """Length of the frame that begins there; None while that is not known."""
     if len(data) - at < 3:
         return None
     if data[at] == MAGIC_1:
@@ -63,7 +63,7 @@ def _length(data: bytearray, at: int) -> int | None:
     return HEADER_2 + data[at + 1] + CHECKSUM + (SIGNATURE if data[at + 2] & SIGNED else 0)
 
 
-def _is_sound(frame: bytes, is_in_step: bool) -> bool:
+def _is_valid(frame: bytes, is_in_step: bool) -> bool:
     """A message of version 2 that is not known here is taken as it is, but only where a frame has to begin.
 
     After noise a byte of chance would begin one, too, and swallow those that follow."""
@@ -98,7 +98,7 @@ class Splitter:
             if length is None or at + length > len(rest):
                 break
             frame = bytes(rest[at : at + length])
-            if _is_sound(frame, self._is_in_step):
+            if _is_valid(frame, self._is_in_step):
                 found.append(frame)
                 at += length
                 self._is_in_step = True
@@ -118,8 +118,8 @@ def split_datagram(data: bytes) -> list[bytes]:
     return Splitter().feed(data)
 
 
-def lifted(frame: bytes) -> bytes:
-    """As version 2: a frame of version 1 changes its form and says the same."""
+def as_version_2(frame: bytes) -> bytes:
+    """Converts a frame to version 2; its meaning stays."""
     if frame[0] == MAGIC_2:
         return frame
     payload = frame[HEADER_1:-CHECKSUM].rstrip(b"\0") or frame[HEADER_1 : HEADER_1 + 1]
@@ -131,15 +131,15 @@ def lifted(frame: bytes) -> bytes:
 
 def with_signed_flag(frame: bytes) -> bytes:
     """Says that a signature follows, and no more."""
-    return _flipped(frame)
+    return _with_flipped_signed_flag(frame)
 
 
 def unsigned(frame: bytes) -> bytes:
     """Without its signature, if it has one."""
-    return _flipped(frame[:-SIGNATURE]) if is_signed(frame) else frame
+    return _with_flipped_signed_flag(frame[:-SIGNATURE]) if is_signed(frame) else frame
 
 
-def _flipped(frame: bytes) -> bytes:
+def _with_flipped_signed_flag(frame: bytes) -> bytes:
     total = int.from_bytes(frame[-CHECKSUM:], "little") ^ _change_of_signed_flag(frame[1])
     head = frame[:2] + bytes((frame[2] ^ SIGNED,)) + frame[3:-CHECKSUM]
     return head + total.to_bytes(CHECKSUM, "little")

@@ -9,9 +9,9 @@ import pytest
 from pymavlink.dialects.v20 import all as dialect
 
 from dronemap_attach.__main__ import arguments, passphrase, relay
-from dronemap_attach.places import Place, parsed, parsed_own
+from dronemap_attach.addresses import Address, parse_address, parse_local_address
 
-from .test_signing import PASSPHRASE, oracle
+from .test_signing import PASSPHRASE, pymavlink_link
 
 SECONDS = 10.0
 Start = Callable[[list[str]], None]
@@ -52,47 +52,47 @@ def start() -> Iterator[Start]:
         assert not thread.is_alive()
 
 
-def test_a_tool_that_sends_reaches_the_server_signed_and_is_answered(start: Start) -> None:
+def test_sending_tool_is_signed_and_answered(start: Start) -> None:
     server, tool, port = datagrams(), datagrams(), free_port()
     start(["--server", f"udp:127.0.0.1:{server.getsockname()[1]}", "--listen", f"127.0.0.1:{port}"])
     with server, tool:
-        tool.sendto(beat(oracle(system=245, passphrase=None)), ("127.0.0.1", port))
+        tool.sendto(beat(pymavlink_link(system=245, passphrase=None)), ("127.0.0.1", port))
         data, relayed = server.recvfrom(600)
-        (heard,) = oracle().parse_buffer(data)
-        assert heard.get_signed()
-        server.sendto(beat(oracle(passphrase="somebody else's")), relayed)
-        server.sendto(beat(oracle(system=5)), relayed)
-        (answer,) = oracle(passphrase=None).parse_buffer(tool.recv(600))
+        (received,) = pymavlink_link().parse_buffer(data)
+        assert received.get_signed()
+        server.sendto(beat(pymavlink_link(passphrase="somebody else's")), relayed)
+        server.sendto(beat(pymavlink_link(system=5)), relayed)
+        (answer,) = pymavlink_link(passphrase=None).parse_buffer(tool.recv(600))
         assert (answer.get_srcSystem(), answer.get_signed()) == (5, False)
 
 
-def test_a_tool_that_listens_is_sent_to_before_it_has_spoken(start: Start) -> None:
+def test_listening_tool_gets_messages_first(start: Start) -> None:
     server, tool = datagrams(), datagrams()
     ports = [sock.getsockname()[1] for sock in (server, tool)]
     start(["--server", f"udp:127.0.0.1:{ports[0]}", "--to", f"127.0.0.1:{ports[1]}", "--system", "200"])
     with server, tool:
         data, relayed = server.recvfrom(600)
-        (first,) = oracle().parse_buffer(data)
+        (first,) = pymavlink_link().parse_buffer(data)
         assert (first.get_srcSystem(), first.get_type()) == (200, "HEARTBEAT")
-        server.sendto(beat(oracle(system=5)), relayed)
+        server.sendto(beat(pymavlink_link(system=5)), relayed)
         assert tool.recv(600)
 
 
-def test_a_second_tool_is_not_let_in_beside_the_first(start: Start) -> None:
+def test_second_tool_is_ignored(start: Start) -> None:
     server, tool, other, port = datagrams(), datagrams(), datagrams(), free_port()
     start(["--server", f"udp:127.0.0.1:{server.getsockname()[1]}", "--listen", f"127.0.0.1:{port}"])
     with server, tool, other:
-        tool.sendto(beat(oracle(system=201, passphrase=None)), ("127.0.0.1", port))
+        tool.sendto(beat(pymavlink_link(system=201, passphrase=None)), ("127.0.0.1", port))
         server.recv(600)
-        other.sendto(beat(oracle(system=202, passphrase=None)), ("127.0.0.1", port))
-        tool.sendto(beat(oracle(system=203, passphrase=None)), ("127.0.0.1", port))
-        reader, systems = oracle(), set[int]()
+        other.sendto(beat(pymavlink_link(system=202, passphrase=None)), ("127.0.0.1", port))
+        tool.sendto(beat(pymavlink_link(system=203, passphrase=None)), ("127.0.0.1", port))
+        reader, systems = pymavlink_link(), set[int]()
         while 203 not in systems:
             systems |= {m.get_srcSystem() for m in reader.parse_buffer(server.recv(600)) or []}
         assert 202 not in systems
 
 
-def test_a_connection_that_ends_is_made_again_and_half_a_frame_is_forgotten(start: Start) -> None:
+def test_reconnect_discards_partial_frame(start: Start) -> None:
     tool = datagrams()
     with socket.create_server(("127.0.0.1", 0)) as listener, tool:
         listener.settimeout(SECONDS)
@@ -100,32 +100,32 @@ def test_a_connection_that_ends_is_made_again_and_half_a_frame_is_forgotten(star
         start(["--server", f"tcp:127.0.0.1:{port}", "--to", f"127.0.0.1:{tool.getsockname()[1]}"])
         first, _ = listener.accept()
         with first:
-            first.sendall(beat(oracle(system=5))[:9])
+            first.sendall(beat(pymavlink_link(system=5))[:9])
         second, _ = listener.accept()
         with second:
             second.settimeout(SECONDS)
-            second.sendall(beat(oracle(system=6)))
-            (heard,) = oracle(passphrase=None).parse_buffer(tool.recv(600))
-            assert heard.get_srcSystem() == 6
+            second.sendall(beat(pymavlink_link(system=6)))
+            (received,) = pymavlink_link(passphrase=None).parse_buffer(tool.recv(600))
+            assert received.get_srcSystem() == 6
             assert second.recv(600)
 
 
 @pytest.mark.parametrize(
     "text", ["0.0.0.0:14550", "192.0.2.1:14550", "tcp:127.0.0.1:14550", "127.0.0.1", ":5"]
 )
-def test_the_tools_side_is_open_to_nobody_but_this_machine(text: str) -> None:
+def test_tool_address_is_loopback_only(text: str) -> None:
     with pytest.raises(ValueError):
-        parsed_own(text)
+        parse_local_address(text)
 
 
-def test_addresses_are_read_as_written() -> None:
-    assert parsed("udp:drones.example:14560") == Place("drones.example", 14_560)
-    assert parsed("tcp:[::1]:5790") == Place("::1", 5_790, True)
-    assert parsed_own("localhost:14550") == Place("127.0.0.1", 14_550)
-    assert str(parsed("tcp:[::1]:5790")) == "tcp:[::1]:5790"
+def test_addresses_are_parsed() -> None:
+    assert parse_address("udp:drones.example:14560") == Address("drones.example", 14_560)
+    assert parse_address("tcp:[::1]:5790") == Address("::1", 5_790, True)
+    assert parse_local_address("localhost:14550") == Address("127.0.0.1", 14_550)
+    assert str(parse_address("tcp:[::1]:5790")) == "tcp:[::1]:5790"
 
 
-def test_the_passphrase_comes_from_the_environment_or_a_question(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_passphrase_from_environment_or_prompt(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("DRONEMAP_PASSPHRASE", PASSPHRASE)
     assert passphrase() == PASSPHRASE
     monkeypatch.delenv("DRONEMAP_PASSPHRASE")

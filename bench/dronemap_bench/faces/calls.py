@@ -12,8 +12,8 @@ SECONDS = 60
 CONTROLLER = "/services/MAVLinkControllerService"
 
 
-class Caller:
-    """Of one server, with the key of the machine that it runs on."""
+class ApiCaller:
+    """Calls one server by REST and SOAP, with the server's local key."""
 
     def __init__(self, server: Server) -> None:
         self._rest = http.client.HTTPConnection("127.0.0.1", server.http_port, timeout=SECONDS)
@@ -23,8 +23,8 @@ class Caller:
     def rest(self, path: str, body: Json | None = None) -> bytes:
         method = "GET" if body is None else "POST"
         headers = self._headers | ({} if body is None else {"Content-Type": "application/json"})
-        told = None if body is None else json.dumps(body)
-        return self._answer(self._rest, method, f"/api/v1{path}", told, headers)
+        data = None if body is None else json.dumps(body)
+        return self._answer(self._rest, method, f"/api/v1{path}", data, headers)
 
     def soap(self, operation: str, **values: object) -> bytes:
         inside = "".join(f"<{name}>{escape(str(value))}</{name}>" for name, value in values.items())
@@ -42,17 +42,17 @@ class Caller:
     ) -> bytes:
         line.request(method, path, body, headers)
         answer = line.getresponse()
-        told = answer.read()
+        data = answer.read()
         if answer.status != 200:
-            raise SystemExit(f"{method} {path} was answered by {answer.status}: {told[:500]!r}")
-        return told
+            raise SystemExit(f"{method} {path} was answered by {answer.status}: {data[:500]!r}")
+        return data
 
     def close(self) -> None:
         self._rest.close()
         self._soap.close()
 
 
-def in_turn(count: int, *calls: Callable[[], object]) -> list[list[float]]:
+def time_interleaved(count: int, *calls: Callable[[], object]) -> list[list[float]]:
     """Milliseconds of each of these calls, which are made in turn so that all meet the same machine."""
     took: list[list[float]] = [[] for _ in calls]
     for _ in range(count):

@@ -1,4 +1,4 @@
-"""What the rounds come to: medians and worst of each version, and the goals that were missed."""
+"""Summarises rounds: medians and worst of each version, and the goals that were missed."""
 
 from collections.abc import Callable
 from statistics import median
@@ -43,16 +43,16 @@ def summary(rounds: dict[str, list[Json]]) -> Json:
     }
 
 
-def missed(told: Json) -> list[str]:
+def missed(figures: Json) -> list[str]:
     return [
-        f"{name}: {told[name][NOW]['median']} instead of less than {goal}"
+        f"{name}: {figures[name][NOW]['median']} instead of less than {goal}"
         for name, goal in GOALS.items()
-        if told[name][NOW]["median"] >= goal
+        if figures[name][NOW]["median"] >= goal
     ]
 
 
-def table(told: Json, about: dict[str, str], load: float) -> str:
-    versions = list(next(iter(told.values())))
+def table(figures: Json, about: dict[str, str], load: float) -> str:
+    versions = list(next(iter(figures.values())))
     lines = [
         f"{about['processor']}, {about['java']}, revision {about['revision']}, load before {load:.2f}."
         " Median of the rounds (least to most).",
@@ -60,7 +60,7 @@ def table(told: Json, about: dict[str, str], load: float) -> str:
         "| figure | " + " | ".join(versions) + " |",
         "|" + " --- |" * (len(versions) + 1),
     ]
-    for name, by_version in told.items():
+    for name, by_version in figures.items():
         cells = [f"{v['median']} ({v['least']} to {v['most']})" for v in by_version.values()]
         lines.append("| " + " | ".join([name, *cells]) + " |")
     return "\n".join(lines)

@@ -9,8 +9,8 @@ from pathlib import Path
 
 from .. import machine
 from ..programs import Json, Programs, Server
-from .calls import Caller, in_turn, percentile
-from .vehicles import Vehicles
+from .calls import ApiCaller, percentile, time_interleaved
+from .vehicles import AcknowledgingVehicles
 
 LEAD_SECONDS = 0.5
 END_SECONDS = 60
@@ -28,7 +28,7 @@ UNBOUNDED = {
 
 @dataclass(frozen=True)
 class Options:
-    """How much."""
+    """Sizes and durations of one trial."""
 
     rounds: int = 5
     vehicles: int = 1_000
@@ -51,19 +51,19 @@ def _calls(options: Options, jar: Path) -> Json:
     with tempfile.TemporaryDirectory(prefix="dronemap-bench-") as folder:
         server = Server(Path(folder) / "data", recorded=False, jar=jar, settings=UNBOUNDED)
         programs = Programs()
-        obedient = Vehicles(server.udp_port, ORDERED)
+        acknowledging = AcknowledgingVehicles(server.udp_port, ORDERED)
         try:
             pace = ("--vehicles", str(options.vehicles), "--rate", "1")
             steps = ("--steps", "3600", "--only-positions", "yes", "--hosts", "1")
             sender = programs.start("send", *pace, *steps, "--port", str(server.udp_port))
             sender.await_ready()
-            sender.tell(str(int((time.monotonic() + LEAD_SECONDS) * 1e9)))
-            drones = _await_live(server, options.vehicles, obedient.ports)
-            with closing(Caller(server)) as caller:
-                return _timed(options, caller, drones)
+            sender.send_line(str(int((time.monotonic() + LEAD_SECONDS) * 1e9)))
+            drones = _await_live(server, options.vehicles, acknowledging.ports)
+            with closing(ApiCaller(server)) as caller:
+                return _time_calls(options, caller, drones)
         finally:
             programs.stop()
-            obedient.stop()
+            acknowledging.stop()
             server.stop()
 
 
@@ -78,7 +78,7 @@ def _await_live(server: Server, others: int, ports: list[int]) -> list[str]:
     raise SystemExit(f"Not all of {others + len(ports)} vehicles were live within {LIVE_SECONDS} s")
 
 
-def _timed(options: Options, caller: Caller, drones: list[str]) -> Json:
+def _time_calls(options: Options, caller: ApiCaller, drones: list[str]) -> Json:
     turns = cycle(drones)
 
     def one_by_rest() -> bytes:
@@ -100,11 +100,11 @@ def _timed(options: Options, caller: Caller, drones: list[str]) -> Json:
     def order_by_soap() -> None:
         _succeeded(caller.soap("setRelay", droneId=next(turns), relay=0, setting="on"))
 
-    in_turn(options.warm_up_calls, one_by_rest, one_by_soap, order_by_rest, order_by_soap)
-    in_turn(max(1, options.lists // 2), all_by_rest, all_by_soap)
-    one = in_turn(options.calls, one_by_rest, one_by_soap)
-    orders = in_turn(options.commands, order_by_rest, order_by_soap)
-    lists = in_turn(options.lists, all_by_rest, all_by_soap)
+    time_interleaved(options.warm_up_calls, one_by_rest, one_by_soap, order_by_rest, order_by_soap)
+    time_interleaved(max(1, options.lists // 2), all_by_rest, all_by_soap)
+    one = time_interleaved(options.calls, one_by_rest, one_by_soap)
+    orders = time_interleaved(options.commands, order_by_rest, order_by_soap)
+    lists = time_interleaved(options.lists, all_by_rest, all_by_soap)
     return {
         "oneByRest": _spread(one[0]),
         "oneBySoap": _spread(one[1]),
@@ -130,13 +130,13 @@ def _stream(options: Options, jar: Path) -> Json:
         server = Server(Path(folder) / "data", recorded=False, jar=jar, settings=UNBOUNDED)
         programs = Programs()
         try:
-            return _watched(options, server, programs)
+            return _measure_stream(options, server, programs)
         finally:
             programs.stop()
             server.stop()
 
 
-def _watched(options: Options, server: Server, programs: Programs) -> Json:
+def _measure_stream(options: Options, server: Server, programs: Programs) -> Json:
     pace = ("--vehicles", str(options.watched), "--rate", str(options.rate))
     steps = round(options.rate * (options.warm_up_seconds + options.seconds + 1))
     kind = ("--steps", str(steps), "--only-positions", "yes", "--hosts", "1")
@@ -148,8 +148,8 @@ def _watched(options: Options, server: Server, programs: Programs) -> Json:
     start = time.monotonic() + LEAD_SECONDS
     begin = start + options.warm_up_seconds
     end = begin + options.seconds
-    sender.tell(str(int(start * 1e9)))
-    crowd.tell(f"{int(begin * 1e9)} {int(end * 1e9)}")
+    sender.send_line(str(int(start * 1e9)))
+    crowd.send_line(f"{int(begin * 1e9)} {int(end * 1e9)}")
     when = ("--from-nanos", str(int(begin * 1e9)), "--until-nanos", str(int(end * 1e9)))
     watcher = programs.start(
         "watch", *pace, "--hosts", "1", "--start-nanos", str(int(start * 1e9)), *stream, *when

@@ -16,8 +16,8 @@ HEARTBEAT_SECONDS = 1.0
 SYSTEM = 77
 
 
-class Vehicles:
-    """Each says heartbeats from a port of its own, and acknowledges commands as they come. One thread."""
+class AcknowledgingVehicles:
+    """Vehicles that send heartbeats, each from its own port, and acknowledge commands at once. One thread."""
 
     def __init__(self, port: int, count: int) -> None:
         self._waiting = selectors.DefaultSelector()
@@ -47,15 +47,15 @@ class Vehicles:
                 for one in self._sockets:
                     one.send(mavlink.heartbeat(sequence, SYSTEM))
             for key, _ in self._waiting.select(0.1):
-                told = key.data.recv(2048)
-                if told[0] == mavlink.MAGIC and int.from_bytes(told[7:10], "little") == COMMAND_LONG:
-                    key.data.send(_acknowledgement(told, sequence))
+                data = key.data.recv(2048)
+                if data[0] == mavlink.MAGIC and int.from_bytes(data[7:10], "little") == COMMAND_LONG:
+                    key.data.send(_acknowledgement(data, sequence))
 
 
-def _acknowledgement(told: bytes, sequence: int) -> bytes:
+def _acknowledgement(data: bytes, sequence: int) -> bytes:
     # Zeros at the end of a payload are not sent.
-    payload = told[HEADER : HEADER + told[1]].ljust(PAYLOAD, b"\0")
+    payload = data[HEADER : HEADER + data[1]].ljust(PAYLOAD, b"\0")
     (command,) = struct.unpack_from("<H", payload, COMMAND_AT)
     result = ACCEPTED if command == SET_RELAY else UNSUPPORTED
-    answer = struct.pack("<HBBiBB", command, result, 0, 0, told[5], told[6])
+    answer = struct.pack("<HBBiBB", command, result, 0, 0, data[5], data[6])
     return mavlink.frame(mavlink.COMMAND_ACK, answer, sequence, SYSTEM)

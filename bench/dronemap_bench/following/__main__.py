@@ -16,10 +16,10 @@ SITL_EXPERIMENT = "org.dronemap.cognitive.follow.SitlExperiment"
 TRACKS = "org.dronemap.cognitive.follow.RandomFollowStudy"
 
 
-def main(words: list[str]) -> None:
-    if words[:1] == ["tracks"]:
-        sys.exit(_run(TRACKS, _tracks(words[1:]), None).returncode)
-    options = _options(words)
+def main(arguments: list[str]) -> None:
+    if arguments[:1] == ["tracks"]:
+        sys.exit(_run(TRACKS, _tracks(arguments[1:]), None).returncode)
+    options = _options(arguments)
     with tempfile.TemporaryDirectory() as folder:
         tracks = [gpx.written(file, Path(folder)) for file in options.gpx]
         lines = _fly(EXPERIMENT, [str(options.seeds), *tracks])
@@ -30,19 +30,21 @@ def main(words: list[str]) -> None:
     print(report.table(about(), options.seeds, rows))
 
 
-def _fly(main_class: str, words: list[str]) -> list[str]:
-    flown = _run(main_class, words, subprocess.PIPE)
+def _fly(main_class: str, arguments: list[str]) -> list[str]:
+    flown = _run(main_class, arguments, subprocess.PIPE)
     flown.check_returncode()
     return flown.stdout.splitlines()
 
 
-def _run(main_class: str, words: list[str], output: int | None) -> subprocess.CompletedProcess[str]:
+def _run(main_class: str, arguments: list[str], output: int | None) -> subprocess.CompletedProcess[str]:
     folders = [f"dronemap-{module}/target/classes" for module in MODULES]
     path = ":".join(str(ROOT / folder) for folder in [*folders, "dronemap-cognitive/target/test-classes"])
-    return subprocess.run(["java", "-cp", path, main_class, *words], stdout=output, text=True, check=False)
+    return subprocess.run(
+        ["java", "-cp", path, main_class, *arguments], stdout=output, text=True, check=False
+    )
 
 
-def _tracks(words: list[str]) -> list[str]:
+def _tracks(arguments: list[str]) -> list[str]:
     parser = argparse.ArgumentParser(
         prog="bench/follow tracks",
         description="Random follows near fences, and many drones at once; ends with 1 if any goes beyond.",
@@ -56,11 +58,11 @@ def _tracks(words: list[str]) -> list[str]:
         "--separation", type=float, default=10, help="metres that drones are to stay apart (10)"
     )
     parser.add_argument("--height", type=float, default=5, help="or metres in height (5)")
-    options = parser.parse_args(words)
+    options = parser.parse_args(arguments)
     return [str(each) for each in vars(options).values()]
 
 
-def _options(words: list[str]) -> argparse.Namespace:
+def _options(arguments: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="bench/follow", description=__doc__)
     parser.add_argument("--seeds", type=int, default=10, help="so many walks of each kind (10)")
     parser.add_argument("--gpx", type=Path, nargs="*", default=[], help="recorded tracks to walk as well")
@@ -71,7 +73,7 @@ def _options(words: list[str]) -> argparse.Namespace:
     )
     parser.add_argument("--out", type=Path, default=ROOT / "bench" / "results", help="folder for the results")
     parser.add_argument("--name", default="following", help="name of the result files")
-    return parser.parse_args(words)
+    return parser.parse_args(arguments)
 
 
 if __name__ == "__main__":

@@ -37,7 +37,7 @@ def _reaches(before: tuple[float, float, float], now: tuple[float, float, float]
 
 
 def written(file: Path, folder: Path) -> str:
-    """Writes a track for the trials; returns how they are told of it."""
+    """Writes a track for the trials; returns the argument that names it."""
     track = points(file.read_text())
     if len(track) < 2:
         raise SystemExit(f"{file} has no track with times.")

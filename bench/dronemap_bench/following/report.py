@@ -1,4 +1,4 @@
-"""How far drones were from where they had to be: limits, a table, plots."""
+"""Reports how far drones were from where they had to be: limits, a table, plots."""
 
 import json
 from dataclasses import asdict, dataclass
@@ -61,7 +61,7 @@ def real(rows: list[Row]) -> list[str]:
 
 
 def limits(rows: list[Row]) -> list[tuple[str, float, float]]:
-    """What is asked for, the figure, and the most that it may be."""
+    """Each goal with its figure and the most that it may be."""
     asked: list[tuple[str, float, float]] = []
 
     def mean(walk: str, link: str, noise: str, way: str = FORESEEN) -> Row | None:
@@ -124,12 +124,12 @@ def _all(rows: list[Row]) -> list[str]:
     lines = [f"| {' | '.join(heads)} |", "|" + " --- |" * len(heads)]
     for row in rows:
         if row.vehicle == SIMULATED:
-            words = [row.walk, row.link, NOISES[row.noise], WAYS[row.way]]
-            words += [f"{figure:.2f}" for figure in (row.mean, row.p95, row.reported, row.phone)]
+            arguments = [row.walk, row.link, NOISES[row.noise], WAYS[row.way]]
+            arguments += [f"{figure:.2f}" for figure in (row.mean, row.p95, row.reported, row.phone)]
             for vehicle in vehicles:
                 beside = find(rows, row.walk, row.link, row.noise, row.way, vehicle)
-                words.append(f"{beside.mean:.2f} ({beside.p95:.2f})" if beside else "–")
-            lines.append(f"| {' | '.join(words)} |")
+                arguments.append(f"{beside.mean:.2f} ({beside.p95:.2f})" if beside else "–")
+            lines.append(f"| {' | '.join(arguments)} |")
     return lines
 
 
@@ -170,11 +170,11 @@ def page(about: dict[str, str], seeds: int, rows: list[Row]) -> str:
 
 
 def _legend(vehicles: list[str]) -> str:
-    words = [
+    arguments = [
         f"<span style='color:{COLOURS[number]}'>■</span> {escape(word)}"
         for number, word in enumerate([*WAYS.values(), *(f"foretold, {name}" for name in vehicles)])
     ]
-    return f"<p>{' &nbsp; '.join(words)}</p>"
+    return f"<p>{' &nbsp; '.join(arguments)}</p>"
 
 
 def _colour(row: Row) -> int:

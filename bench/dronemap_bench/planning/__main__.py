@@ -12,13 +12,13 @@ from ..__main__ import about
 from ..programs import ROOT
 from . import checker, flown, losses, modes, report, study
 from .problems import Row, read
-from .runs import Plan, Result, RunError, run
+from .runs import Result, RunError, SolverRun, run
 
 REPLAN, STUDY, FLOWN = "replan", "study", "flown"
 
 
-def main(words: list[str]) -> None:
-    options = _options(words)
+def main(arguments: list[str]) -> None:
+    options = _options(arguments)
     if options.mode == [REPLAN]:
         _replan(options)
         return
@@ -60,17 +60,17 @@ def _flown(options: argparse.Namespace) -> None:
     flights = flown.run(options.cases)
     flown.write(options.out, options.name or FLOWN, about(), flights)
     print(flown.table(flights))
-    if not flown.keeps_its_word(flights):
+    if not flown.meets_forecast(flights):
         sys.exit(1)
 
 
 def _measure(mode: modes.Mode, rows: list[Row], options: argparse.Namespace) -> bool:
     """False when a run failed: the others are written all the same."""
     chosen = [
-        row for row in rows if mode.takes(row) and (not options.instance or row.name in options.instance)
+        row for row in rows if mode.selects(row) and (not options.instance or row.name in options.instance)
     ]
     runs = [
-        (row, Plan(solver, seed, seconds, mode.threads, mode.warm_up, mode.moved))
+        (row, SolverRun(solver, seed, seconds, mode.threads, mode.warm_up, mode.moved))
         for seconds in mode.seconds
         for row in chosen
         for seed in range(1, mode.seeds + 1)
@@ -91,10 +91,10 @@ def _measure(mode: modes.Mode, rows: list[Row], options: argparse.Namespace) -> 
             failed += 1
             print(f"FAILED: {error}", file=sys.stderr)
             continue
-        told = (
+        summary = (
             f"{row.name} {plan.solver} {plan.seconds:g} s seed {plan.seed}: {results[-1].gap_percent:.2f} %"
         )
-        print(f"[{number}/{len(runs)}] {told}", file=sys.stderr)
+        print(f"[{number}/{len(runs)}] {summary}", file=sys.stderr)
         report.write(options.out, name, where, results)
     if results:
         print(report.table(where, results))
@@ -116,7 +116,7 @@ def _changed(mode: modes.Mode, options: argparse.Namespace) -> modes.Mode:
 
 
 def check(file: Path, rows: list[Row]) -> None:
-    """Judges written results once more; ends with 1 when any of them is not what it says."""
+    """Checks written results once more; ends with 1 when any of them is wrong."""
     known = {(row.name, row.problem.aim): row for row in rows}
     wrong = 0
     results = json.loads(file.read_text())["results"]
@@ -144,7 +144,7 @@ def _data(folder: Path | None) -> Path:
     return found
 
 
-def _options(words: list[str]) -> argparse.Namespace:
+def _options(arguments: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="bench/plan",
         description=__doc__,
@@ -182,7 +182,7 @@ def _options(words: list[str]) -> argparse.Namespace:
     parser.add_argument(
         "--check", type=Path, metavar="FILE", help="judge the tours of written results, measure nothing"
     )
-    return parser.parse_args(words)
+    return parser.parse_args(arguments)
 
 
 if __name__ == "__main__":

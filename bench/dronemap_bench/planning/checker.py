@@ -22,7 +22,7 @@ def faults(problem: Problem, tours: Tours) -> list[str]:
 
 
 def value(problem: Problem, tours: Tours) -> float:
-    """What the tours are worth by the problem's aim; each begins and ends at its drone's depot."""
+    """Value of the tours by the problem's aim; each begins and ends at its drone's depot."""
     lengths = [_length(problem, depot, tour) for depot, tour in zip(problem.depots, tours, strict=True)]
     return max(lengths) if problem.aim == "longest" else math.fsum(lengths)
 

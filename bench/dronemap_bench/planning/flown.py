@@ -34,17 +34,17 @@ class Flight:
         return 100 * (self.flown_seconds / self.planned_seconds - 1)
 
     @property
-    def thirsty_percent(self) -> float:
+    def excess_energy_percent(self) -> float:
         return 100 * (self.flown_joules / self.planned_joules - 1)
 
 
 def parse(lines: list[str]) -> list[Flight]:
-    flights = [_flight(words) for words in map(str.split, lines) if words and words[0] == "flown"]
+    flights = [_flight(columns) for columns in map(str.split, lines) if columns and columns[0] == "flown"]
     return sorted(flights, key=lambda flight: (flight.figures, flight.seed))
 
 
-def _flight(words: list[str]) -> Flight:
-    seed, figures, wind, fences, stops, *numbers = words[1:]
+def _flight(columns: list[str]) -> Flight:
+    seed, figures, wind, fences, stops, *numbers = columns[1:]
     planned, flown, planned_joules, flown_joules = map(float, numbers)
     return Flight(
         int(seed), figures, float(wind), int(fences), int(stops), planned, flown, planned_joules, flown_joules
@@ -59,7 +59,7 @@ def run(cases: int) -> list[Flight]:
 
 
 def table(flights: list[Flight]) -> str:
-    """How far what was flown is off what was planned, without its sign but for the mean."""
+    """A table of differences between flown and planned, without sign but for the mean."""
     plans = len({flight.seed for flight in flights})
     wind = max(flight.wind for flight in flights)
     fences = max(flight.fences for flight in flights)
@@ -69,26 +69,26 @@ def table(flights: list[Flight]) -> str:
         "| flown beyond planned, % | tours | mean | 95 % off by | most off by |",
         "| --- | --- | --- | --- | --- |",
     ]
-    told: list[tuple[str, Callable[[Flight], float]]] = [
+    deviations: list[tuple[str, Callable[[Flight], float]]] = [
         ("time", lambda flight: flight.late_percent),
-        ("energy", lambda flight: flight.thirsty_percent),
+        ("energy", lambda flight: flight.excess_energy_percent),
     ]
-    for figures, words in FIGURES.items():
+    for figures, description in FIGURES.items():
         own = [flight for flight in flights if flight.figures == figures]
-        for what, off in told if own else []:
+        for what, off in deviations if own else []:
             values = [off(flight) for flight in own]
             sizes = [abs(value) for value in values]
             lines.append(
-                f"| {what}, figures {words} | {len(own)} | {statistics.fmean(values):+.2f} "
+                f"| {what}, figures {description} | {len(own)} | {statistics.fmean(values):+.2f} "
                 f"| {percentile(sizes, 95):.2f} | {max(sizes):.2f} |"
             )
     return "\n".join(lines) + "\n"
 
 
-def keeps_its_word(flights: list[Flight]) -> bool:
+def meets_forecast(flights: list[Flight]) -> bool:
     """With measured figures each time within 5 % and each energy within 10 %."""
     own = [flight for flight in flights if flight.figures == "measured"]
-    return all(abs(flight.late_percent) <= 5 and abs(flight.thirsty_percent) <= 10 for flight in own)
+    return all(abs(flight.late_percent) <= 5 and abs(flight.excess_energy_percent) <= 10 for flight in own)
 
 
 def write(folder: Path, name: str, about: dict[str, Any], flights: list[Flight]) -> None:

@@ -21,7 +21,7 @@ class Setup:
     solve_seconds: float
     """Of the search that each plan is held against; 0: none."""
 
-    def words(self) -> list[str]:
+    def arguments(self) -> list[str]:
         return [
             str(word)
             for word in (self.cases, self.waypoints, self.drones, self.budget_ms, self.solve_seconds)
@@ -40,22 +40,22 @@ class Case:
 
     @property
     def gap_percent(self) -> float:
-        """Of the better plan to the long search's, or to itself where that was worse."""
+        """Gap of the better plan to the long search's, or to itself where that was worse."""
         return 100 * (self.better_cost / min(self.long_cost, self.better_cost) - 1)
 
 
 def parse(lines: list[str]) -> list[Case]:
-    return [_case(words) for words in map(str.split, lines) if words and words[0] == "case"]
+    return [_case(columns) for columns in map(str.split, lines) if columns and columns[0] == "case"]
 
 
-def _case(words: list[str]) -> Case:
-    at_once, better, faults, *costs, changed = words[1:]
+def _case(columns: list[str]) -> Case:
+    at_once, better, faults, *costs, changed = columns[1:]
     once_cost, better_cost, long_cost = map(float, costs)
     return Case(float(at_once), float(better), int(faults), once_cost, better_cost, long_cost, int(changed))
 
 
 def run(setup: Setup) -> list[Case]:
-    done = subprocess.run([*JAVA, *setup.words()], capture_output=True, text=True, check=False)
+    done = subprocess.run([*JAVA, *setup.arguments()], capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise RunError(f"re-planning failed:\n{done.stderr.strip()[-2000:]}")
     return parse(done.stdout.splitlines())

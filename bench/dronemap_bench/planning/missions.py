@@ -35,8 +35,8 @@ READY_SECONDS = 180
 WARM_UP_SECONDS = 4
 
 
-class Ground:
-    """Where an instance lies: its longest tour is so long that drones can fly it."""
+class FieldProjection:
+    """Projects an instance to the ground, at a scale at which drones can fly its longest tour."""
 
     def __init__(self, row: Row) -> None:
         places = (*row.problem.depots, *row.problem.waypoints)
@@ -62,18 +62,18 @@ class Ground:
 
 
 @contextlib.contextmanager
-def standing(server: Server, ground: Ground, depots: tuple[Point, ...]) -> Iterator[None]:
+def ready_drones(server: Server, ground: FieldProjection, depots: tuple[Point, ...]) -> Iterator[None]:
     """A simulated drone at each depot, numbered from 1."""
     running = []
     try:
         for number, depot in enumerate(depots, 1):
-            words = [
+            arguments = [
                 *("--connect", f"udp://127.0.0.1:{server.udp_port}", "--sysid", str(number), "--count", "1"),
                 *("--home", f"{ground.text(depot).replace(' ', ',')},{GROUND_METRES}"),
             ]
             running.append(
                 subprocess.Popen(
-                    ["java", "-Xmx64m", "-XX:+UseSerialGC", "-jar", str(LOAD_JAR), *words],
+                    ["java", "-Xmx64m", "-XX:+UseSerialGC", "-jar", str(LOAD_JAR), *arguments],
                     stdout=subprocess.DEVNULL,
                 )
             )
@@ -103,7 +103,7 @@ def drones(server: Server, count: int) -> list[str]:
     raise SystemExit(f"Not all {count} drones got ready")
 
 
-def ask(server: Server, body: Json) -> Json:
+def request_plan(server: Server, body: Json) -> Json:
     """The finished plan."""
     request = urllib.request.Request(
         f"http://127.0.0.1:{server.http_port}/api/v1/plans",
@@ -120,21 +120,21 @@ def ask(server: Server, body: Json) -> Json:
     return plan
 
 
-def alone(row: Row, ground: Ground, plan: tuple[float, int], folder: Path) -> float:
-    """When the last drone is back in the plan that the planner finds by itself, in seconds."""
+def solve_directly(row: Row, ground: FieldProjection, plan: tuple[float, int], folder: Path) -> float:
+    """Seconds until the last drone is back, in the plan that the planner finds without the server."""
     places = [("drone", place, GROUND_METRES) for place in row.problem.depots]
     places += [("waypoint", place, GROUND_METRES + HEIGHT_METRES) for place in row.problem.waypoints]
     lines = [f"{what} {ground.text(place)} {height}" for what, place, height in places]
     file = folder / "places"
     file.write_text("\n".join(lines) + "\n")
     seconds, seed = plan
-    words = [str(file), str(seed), str(seconds), str(WARM_UP_SECONDS)]
-    command = [*JAVA[:-1], "org.dronemap.bench.planning.OfflinePlanning", *words]
-    told = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout
-    return float(told.split()[1])
+    arguments = [str(file), str(seed), str(seconds), str(WARM_UP_SECONDS)]
+    command = [*JAVA[:-1], "org.dronemap.bench.planning.OfflinePlanning", *arguments]
+    output = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout
+    return float(output.split()[1])
 
 
-def request(problem: Problem, ground: Ground, ids: list[str], seconds: float, seed: int) -> Json:
+def request(problem: Problem, ground: FieldProjection, ids: list[str], seconds: float, seed: int) -> Json:
     places = [ground.at(waypoint) for waypoint in problem.waypoints]
     return {
         "drones": ids,
@@ -154,31 +154,31 @@ def request(problem: Problem, ground: Ground, ids: list[str], seconds: float, se
 
 
 def measure(server: Server, row: Row, seconds: float, seeds: int) -> tuple[float, float]:
-    """When the last drone is back: by the planner alone, and through the server; medians."""
-    ground = Ground(row)
+    """Measures when the last drone is back: by the planner alone, and through the server; medians."""
+    ground = FieldProjection(row)
     numbers = range(1, seeds + 1)
     with tempfile.TemporaryDirectory() as folder:
-        by_itself = [alone(row, ground, (seconds, seed), Path(folder)) for seed in numbers]
+        by_itself = [solve_directly(row, ground, (seconds, seed), Path(folder)) for seed in numbers]
     through = []
-    with standing(server, ground, row.problem.depots):
+    with ready_drones(server, ground, row.problem.depots):
         ids = drones(server, len(row.problem.depots))
         # The first search of a server is cold.
-        ask(server, request(row.problem, ground, ids, WARM_UP_SECONDS, 99))
+        request_plan(server, request(row.problem, ground, ids, WARM_UP_SECONDS, 99))
         for seed in numbers:
-            plan = ask(server, request(row.problem, ground, ids, seconds, seed))
+            plan = request_plan(server, request(row.problem, ground, ids, seconds, seed))
             if plan["progress"]["unserved"]:
                 raise SystemExit(f"{row.name}: {plan['result']['unserved'][0]['why']}")
             through.append(plan["progress"]["longestSeconds"])
     return statistics.median(by_itself), statistics.median(through)
 
 
-def main(words: list[str]) -> None:
+def main(arguments: list[str]) -> None:
     parser = argparse.ArgumentParser(prog="missions", description=__doc__)
     parser.add_argument("--data", type=Path, required=True, help="folder with index.csv")
     parser.add_argument("--instance", action="append", help="this one instead of the seven; may be repeated")
     parser.add_argument("--seconds", type=float, default=5, help="of search, CPU and wall clock (default: 5)")
     parser.add_argument("--seeds", type=int, default=3)
-    options = parser.parse_args(words)
+    options = parser.parse_args(arguments)
     wanted = options.instance or SEVEN
     rows = [row for row in read(options.data) if row.name in wanted and row.problem.aim == "longest"]
     print("| instance | alone, s | through the server, s | lost, % |\n|---|---|---|---|")

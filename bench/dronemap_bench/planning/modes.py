@@ -1,4 +1,4 @@
-"""What can be measured with one word."""
+"""Modes of measurement, each with a name for the command line."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ WARM_UP = 4.0
 class Mode:
     name: str
     what: str
-    takes: Callable[[Row], bool]
+    selects: Callable[[Row], bool]
     seconds: tuple[float, ...]
     solvers: tuple[str, ...] = OURS
     seeds: int = 1

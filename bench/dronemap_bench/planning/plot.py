@@ -1,4 +1,4 @@
-"""How each solver's best plan got better, as one picture for all instances."""
+"""Plots how each solver's best plan improved, as one picture for all instances."""
 
 import math
 import statistics
@@ -62,7 +62,7 @@ def _panel(title: str, results: list[Result], solvers: list[str], most: float) -
 
 
 def typical(results: list[Result]) -> Result | None:
-    """Of the longest runs the one that ends nearest the median."""
+    """The run, among the longest, that ends nearest the median."""
     if not results:
         return None
     longest = max(r.plan.seconds for r in results)

@@ -81,12 +81,12 @@ def _line(cells: list[str]) -> str:
 def _spent(results: list[Result], keys: list[Key]) -> list[str]:
     """A library looks at its limit in its own rhythm."""
     most = {key: max(r.cpu_seconds for r in results if _key(r) == key) for key in keys}
-    words = ", ".join(f"{solver} {seconds:g} s: {most[solver, seconds]:.2f} s" for solver, seconds in keys)
-    return ["", f"CPU really used, at most: {words}."]
+    spent = ", ".join(f"{solver} {seconds:g} s: {most[solver, seconds]:.2f} s" for solver, seconds in keys)
+    return ["", f"CPU really used, at most: {spent}."]
 
 
 def _against(results: list[Result]) -> list[str]:
-    """How often ours is at least as good as each other solver."""
+    """A table of how often ours is at least as good as each other solver."""
     lines = []
     others = sorted(
         {_key(r) for r in results if r.plan.solver != "dronemap"}, key=lambda key: (key[0], key[1])

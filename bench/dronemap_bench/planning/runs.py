@@ -28,8 +28,8 @@ class RunError(Exception):
 
 
 @dataclass(frozen=True)
-class Plan:
-    """How to run: CPU seconds in all, for all threads together."""
+class SolverRun:
+    """One run of a solver; CPU seconds are for all threads together."""
 
     solver: str
     seed: int
@@ -41,11 +41,11 @@ class Plan:
 
 @dataclass(frozen=True)
 class Result:
-    """What came out, checked; `value` was recomputed from the tours, on the instance as it was read."""
+    """A checked result; `value` was recomputed from the tours, on the instance as it was read."""
 
     instance: str
     aim: str
-    plan: Plan
+    plan: SolverRun
     about: str
     value: float
     gap_percent: float
@@ -58,8 +58,8 @@ class Result:
 
 
 @dataclass(frozen=True)
-class Answer:
-    """What a solver's process wrote."""
+class SolverOutput:
+    """Parsed output of a solver's process."""
 
     about: str
     points: list[tuple[float, float]]
@@ -67,7 +67,7 @@ class Answer:
     tours: list[list[int]]
 
 
-def parse(lines: list[str]) -> Answer:
+def parse(lines: list[str]) -> SolverOutput:
     about, used = "", 0.0
     points: list[tuple[float, float]] = []
     tours: list[list[int]] = []
@@ -82,10 +82,10 @@ def parse(lines: list[str]) -> Answer:
             used = float(rest)
         elif word == "tour":
             tours.append([int(waypoint) for waypoint in rest.split()])
-    return Answer(about, points, used, tours)
+    return SolverOutput(about, points, used, tours)
 
 
-def run(row: Row, plan: Plan) -> Result:
+def run(row: Row, plan: SolverRun) -> Result:
     shifted = moved(row.problem, plan.seed) if plan.moved else None
     given = shifted.problem if shifted else row.problem
     before = (time.monotonic(), _children_cpu(), machine.busy_seconds())
@@ -95,14 +95,14 @@ def run(row: Row, plan: Plan) -> Result:
         answer = parse(_java(file, plan).splitlines())
     wall, own = time.monotonic() - before[0], _children_cpu() - before[1]
     others = machine.busy_seconds() - before[2] - own
-    _judge(row, "as it was given", checker.faults(given, answer.tours))
+    _check(row, "as it was given", checker.faults(given, answer.tours))
     if not answer.points:
         raise RunError(f"{row.name}: {plan.solver} tells of no plan")
-    claimed, told = checker.value(given, answer.tours), answer.points[-1][1]
-    if abs(claimed - told) > AGREE * claimed:
-        raise RunError(f"{row.name}: {plan.solver} says {told}, its tours say {claimed}")
+    claimed, reported = checker.value(given, answer.tours), answer.points[-1][1]
+    if abs(claimed - reported) > AGREE * claimed:
+        raise RunError(f"{row.name}: {plan.solver} says {reported}, its tours say {claimed}")
     tours = shifted.back(answer.tours) if shifted else answer.tours
-    _judge(row, "as it was read", checker.faults(row.problem, tours))
+    _check(row, "as it was read", checker.faults(row.problem, tours))
     value = checker.value(row.problem, tours)
     return Result(
         instance=row.name,
@@ -123,10 +123,17 @@ def gap(value: float, best: float) -> float:
     return round(100 * (value / best - 1), 4)
 
 
-def _java(file: Path, plan: Plan) -> str:
-    words = [plan.solver, str(file), str(plan.seed), str(plan.seconds), str(plan.threads), str(plan.warm_up)]
+def _java(file: Path, plan: SolverRun) -> str:
+    arguments = [
+        plan.solver,
+        str(file),
+        str(plan.seed),
+        str(plan.seconds),
+        str(plan.threads),
+        str(plan.warm_up),
+    ]
     limit = SLOWEST * (plan.seconds + plan.warm_up) + 120
-    command = [*JAVA, *words]
+    command = [*JAVA, *arguments]
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=limit, check=False)
     except subprocess.TimeoutExpired as late:
@@ -141,6 +148,6 @@ def _children_cpu() -> float:
     return used.ru_utime + used.ru_stime
 
 
-def _judge(row: Row, how: str, faults: list[str]) -> None:
+def _check(row: Row, how: str, faults: list[str]) -> None:
     if faults:
         raise RunError(f"{row.name} {how}: {'; '.join(faults[:5])}")

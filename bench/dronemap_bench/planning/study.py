@@ -61,11 +61,11 @@ def parse(lines: Iterator[str]) -> Study:
     return Study(sorted(runs, key=lambda run: run.seed), sorted(broken))
 
 
-def _run(words: list[str]) -> Run:
-    seed, drones, lost, waypoints, visited, replans = map(int, words[:6])
-    calm, seconds, closest = map(float, words[7:10])
-    left = words[6] == "true"
-    waits = tuple(json.loads(words[10]))
+def _run(columns: list[str]) -> Run:
+    seed, drones, lost, waypoints, visited, replans = map(int, columns[:6])
+    calm, seconds, closest = map(float, columns[7:10])
+    left = columns[6] == "true"
+    waits = tuple(json.loads(columns[10]))
     return Run(seed, drones, lost, waypoints, visited, replans, left, calm, seconds, closest, waits)
 
 

@@ -1,1 +1,1 @@
-"""Whether strangers at the WebSocket ports cost the others anything; see bench/README.md."""
+"""Measures whether strangers at the WebSocket ports cost others anything; see bench/README.md."""

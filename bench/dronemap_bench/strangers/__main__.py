@@ -11,7 +11,7 @@ from . import report, trial
 from .others import VEHICLES
 
 
-def main(words: list[str]) -> int:
+def main(arguments: list[str]) -> int:
     parser = argparse.ArgumentParser(prog="bench/strangers", description=__doc__)
     usual = trial.Options()
     parser.add_argument("--rounds", type=int, default=usual.rounds)
@@ -26,15 +26,15 @@ def main(words: list[str]) -> int:
         "--many-addresses", action="store_true", help="each connection of a stranger from another one"
     )
     parser.add_argument("--out", type=Path, default=ROOT / "bench" / "results" / "strangers.json")
-    options = vars(parser.parse_args(words))
+    options = vars(parser.parse_args(arguments))
     out: Path = options.pop("out")
     result = trial.run(trial.Options(**options))
-    told = report.summary(result)
+    figures = report.summary(result)
     machine = about()
     out.parent.mkdir(parents=True, exist_ok=True)
-    out.write_text(json.dumps({"machine": machine, "summary": told, **result}, indent=1) + "\n")
-    print(report.table(told, machine))
-    missed = report.missed(told, result, VEHICLES)
+    out.write_text(json.dumps({"machine": machine, "summary": figures, **result}, indent=1) + "\n")
+    print(report.table(figures, machine))
+    missed = report.missed(figures, result, VEHICLES)
     for sentence in missed:
         print(f"Missed: {sentence}.")
     return 1 if missed else 0

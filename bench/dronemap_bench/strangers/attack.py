@@ -21,8 +21,8 @@ BLOCK_PIECES = 64
 PATIENCE_SECONDS = 10
 
 
-class Strangers:
-    """All at one port; what they sent counts when the kernel took it."""
+class UnauthenticatedClients:
+    """Clients at one port that send endless messages; bytes count when the kernel took them."""
 
     def __init__(self, port: int, path: str, opcode: int, many_addresses: bool) -> None:
         """`many_addresses`: each connection comes from another one, so that no address has a history."""
@@ -35,7 +35,7 @@ class Strangers:
         self._lock = threading.Lock()
         self.sent = 0
         self.connections = 0
-        self.turned_away = 0
+        self.refused = 0
 
     def begin(self, count: int) -> None:
         for _ in range(count):
@@ -51,7 +51,7 @@ class Strangers:
                 line = wire.connect(self._port, self._path, seconds=PATIENCE_SECONDS, here=self._address())
             except OSError:
                 with self._lock:
-                    self.turned_away += 1
+                    self.refused += 1
                 continue
             with line, contextlib.suppress(OSError):
                 with self._lock:
@@ -75,7 +75,7 @@ class Strangers:
             left = left[taken:]
 
 
-def main(words: list[str]) -> None:
+def main(arguments: list[str]) -> None:
     parser = argparse.ArgumentParser(prog="python -m dronemap_bench.strangers.attack", description=__doc__)
     parser.add_argument("--port", type=int, required=True)
     parser.add_argument("--path", required=True)
@@ -85,8 +85,8 @@ def main(words: list[str]) -> None:
     parser.add_argument("--least-seconds", type=float, default=0)
     parser.add_argument("--most-seconds", type=float, default=60)
     parser.add_argument("--many-addresses", action="store_true")
-    options = parser.parse_args(words)
-    strangers = Strangers(options.port, options.path, options.opcode, options.many_addresses)
+    options = parser.parse_args(arguments)
+    strangers = UnauthenticatedClients(options.port, options.path, options.opcode, options.many_addresses)
     print("ready", flush=True)
     sys.stdin.readline()
     began = time.monotonic()
@@ -95,16 +95,16 @@ def main(words: list[str]) -> None:
         spent < options.least_seconds or strangers.sent < options.megabytes * 1_000_000
     ):
         time.sleep(0.02)
-    told = {
+    figures = {
         "bytes": strangers.sent,
         "connections": strangers.connections,
-        "turnedAway": strangers.turned_away,
+        "turnedAway": strangers.refused,
         "seconds": round(spent, 2),
     }
     print("sent", flush=True)
     sys.stdin.readline()
     strangers.end()
-    print(json.dumps(told), flush=True)
+    print(json.dumps(figures), flush=True)
 
 
 if __name__ == "__main__":

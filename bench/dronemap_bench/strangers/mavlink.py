@@ -1,4 +1,4 @@
-"""The messages that vehicles of measurements say, in frames of MAVLink 2."""
+"""Messages of measured vehicles, in frames of MAVLink 2."""
 
 import struct
 
@@ -39,7 +39,7 @@ def position(step: int, vehicle: int, sequence: int, system: int) -> bytes:
 
 
 def has_heartbeat(data: bytes) -> bool:
-    """Whether one is among the frames of a message of a WebSocket; of either version."""
+    """True if a WebSocket message has a heartbeat among its frames, of either version."""
     at = 0
     while at + 6 < len(data):
         if data[at] == MAGIC:

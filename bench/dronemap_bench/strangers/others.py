@@ -1,4 +1,4 @@
-"""Those who have nothing to do with it: viewers of the stream, vehicles on a WebSocket, callers of REST.
+"""Clients that are not part of the attack: viewers of the stream, vehicles on a WebSocket, REST callers.
 
 `python -m dronemap_bench.strangers.others viewers|vehicles|calls …`: says "ready", measures until its input
 ends, and prints its samples as JSON: [when, milliseconds], by the machine's clock, from when each was due.
@@ -26,7 +26,7 @@ PLACE = re.compile(rb'"position":\{.*?"latitude":([-+.\dE]+).*?"longitude":([-+.
 Sample = tuple[float, float]
 
 
-class Over:
+class InputEnd:
     """Set when the input ends."""
 
     def __init__(self) -> None:
@@ -45,8 +45,8 @@ def due(start: float, vehicle: int, step: int) -> float:
     return start + step / RATE + vehicle / (VEHICLES * RATE)
 
 
-def viewers(port: int, start: float, key: str, over: Over) -> list[Sample]:
-    """How old each new position is when it comes, counted from when the vehicle was due to say it."""
+def viewers(port: int, start: float, key: str, over: InputEnd) -> list[Sample]:
+    """Measures the age of each new position on arrival, from when the vehicle was due to send it."""
     waiting = selectors.DefaultSelector()
     for _ in range(VIEWERS):
         line = wire.connect(port, "/stream", f"Authorization: Bearer {key}")
@@ -76,8 +76,8 @@ def _place(text: bytes) -> tuple[int, int] | None:
     return (vehicle, step) if 0 <= vehicle < VEHICLES else None
 
 
-def vehicles(port: int, start: float, over: Over) -> list[Sample]:
-    """How much later than it should after the last one each heartbeat of the server comes."""
+def vehicles(port: int, start: float, over: InputEnd) -> list[Sample]:
+    """Measures how late each heartbeat of the server comes after the last one."""
     waiting = selectors.DefaultSelector()
     lines = [wire.connect(port, "/") for _ in range(VEHICLES)]
     for vehicle, line in enumerate(lines):
@@ -90,18 +90,18 @@ def vehicles(port: int, start: float, over: Over) -> list[Sample]:
         step, vehicle = divmod(turn, VEHICLES)
         when = due(start, vehicle, step)
         if (left := when - time.monotonic()) <= 0:
-            said = (
+            message = (
                 mavlink.heartbeat(step, vehicle + 1)
                 if step % RATE == 0
                 else mavlink.position(step, vehicle, step, vehicle + 1)
             )
-            lines[vehicle].sendall(wire.frame(wire.BINARY, said))
+            lines[vehicle].sendall(wire.frame(wire.BINARY, message))
             turn += 1
             left = 0
         for key_of, _ in waiting.select(left):
             of, reader = key_of.data
-            for heard in reader.frames():
-                if mavlink.has_heartbeat(heard):
+            for received in reader.frames():
+                if mavlink.has_heartbeat(received):
                     now = time.monotonic()
                     before = last[of]
                     if before is not None:
@@ -110,8 +110,8 @@ def vehicles(port: int, start: float, over: Over) -> list[Sample]:
     return samples
 
 
-def calls(port: int, start: float, key: str, over: Over) -> list[Sample]:
-    """How long after it was due each answer was there."""
+def calls(port: int, start: float, key: str, over: InputEnd) -> list[Sample]:
+    """Measures how long after it was due each call was answered."""
     samples: list[Sample] = []
     failures: list[str] = []
 
@@ -142,14 +142,14 @@ def calls(port: int, start: float, key: str, over: Over) -> list[Sample]:
     return samples
 
 
-def main(words: list[str]) -> None:
+def main(arguments: list[str]) -> None:
     parser = argparse.ArgumentParser(prog="python -m dronemap_bench.strangers.others", description=__doc__)
     parser.add_argument("who", choices=("viewers", "vehicles", "calls"))
     parser.add_argument("--port", type=int, required=True)
     parser.add_argument("--start", type=float, required=True, help="of the machine's own clock")
     parser.add_argument("--key", default="")
-    options = parser.parse_args(words)
-    over = Over()
+    options = parser.parse_args(arguments)
+    over = InputEnd()
     if options.who == "viewers":
         samples = viewers(options.port, options.start, options.key, over)
     elif options.who == "vehicles":

@@ -1,4 +1,4 @@
-"""What a run of strangers comes to: the rounds' medians and worst, and whether the goals are met."""
+"""Summarises a run with strangers: the rounds' medians and worst, and whether the goals are met."""
 
 from statistics import median
 
@@ -46,12 +46,12 @@ def _times(mine: list[Json], calm: dict[tuple[str, int], Json], who: str) -> Jso
     return {"p99": _spread(p99), "times": _spread(times)}
 
 
-def missed(told: Json, result: Json, vehicles: int) -> list[str]:
+def missed(figures: Json, result: Json, vehicles: int) -> list[str]:
     """The goals that were not met, a sentence each."""
     live = result["liveVehiclesAtTheEnd"]
     found = [] if live == vehicles else [f"{live} of {vehicles} vehicles were live at the end"]
-    flat = max(told["calmHeapMegabytes"]) + MOST_MEGABYTES_MORE
-    for name, port in told["ports"].items():
+    flat = max(figures["calmHeapMegabytes"]) + MOST_MEGABYTES_MORE
+    for name, port in figures["ports"].items():
         if name == CONTROL:
             continue
         # Who comes from one address waits so often that it sends little.
@@ -67,21 +67,21 @@ def missed(told: Json, result: Json, vehicles: int) -> list[str]:
     return found
 
 
-def table(told: Json, about: dict[str, str]) -> str:
+def table(figures: Json, about: dict[str, str]) -> str:
     head = ["attacked", "sent GB", "connections", "heap MB", "server %", "strangers %"]
     lines = [
         f"{about['processor']}, {about['java']}, revision {about['revision']}; something else took"
-        f" {told['elsePercentOfOneCore']} % of a core meanwhile. p99 in ms: median of the rounds (worst).",
+        f" {figures['elsePercentOfOneCore']} % of a core meanwhile. p99 in ms: median of the rounds (worst).",
         "",
         "| " + " | ".join([*head, *(WORDS[who] for who in OTHERS)]) + " |",
         "|" + " --- |" * (len(head) + len(OTHERS)),
         _row(
             "nothing",
-            ["–", "–", _heap(told["calmHeapMegabytes"]), "–", "–"],
-            [f"{told['calm'][who]['median']} ({told['calm'][who]['worst']})" for who in OTHERS],
+            ["–", "–", _heap(figures["calmHeapMegabytes"]), "–", "–"],
+            [f"{figures['calm'][who]['median']} ({figures['calm'][who]['worst']})" for who in OTHERS],
         ),
     ]
-    for name, port in told["ports"].items():
+    for name, port in figures["ports"].items():
         cells = [port["gigabytes"], port["connections"], _heap(port["heapMegabytes"])]
         cells += [port["serverPercentOfOneCore"], port["strangersPercentOfOneCore"]]
         lines.append(_row(name, cells, [_late(port["late"][who]) for who in OTHERS]))

@@ -1,4 +1,4 @@
-"""What the strangers' traffic costs by itself: a port that shakes hands, reads a few kB, closes, and no more.
+"""Measures the cost of the strangers' traffic alone: a port that shakes hands, reads a few kB and closes.
 
 `python -m dronemap_bench.strangers.sink`: says its port, ends with its input.
 """

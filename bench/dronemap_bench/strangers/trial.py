@@ -23,7 +23,7 @@ CALM, CONTROL = "calm", "control"
 
 @dataclass(frozen=True)
 class Options:
-    """How long and how much."""
+    """Sizes and durations of one run."""
 
     rounds: int = 5
     warm_up_seconds: float = 20
@@ -37,7 +37,7 @@ class Options:
 
 
 class Program:
-    """A process of `dronemap_bench.strangers`, which speaks by lines and listens to them."""
+    """A process of `dronemap_bench.strangers`, which reads and writes lines."""
 
     def __init__(self, module: str, *arguments: str, niceness: int = 0) -> None:
         self._process = subprocess.Popen(
@@ -59,7 +59,7 @@ class Program:
     def cpu(self) -> float:
         return machine.cpu(self._process.pid)
 
-    def hear(self) -> str:
+    def read_line(self) -> str:
         assert self._process.stdout is not None
         line = self._process.stdout.readline().strip()
         if not line:
@@ -67,10 +67,10 @@ class Program:
         return line
 
     def expect(self, word: str) -> None:
-        if (line := self.hear()) != word:
+        if (line := self.read_line()) != word:
             raise SystemExit(f"A program said '{line}' instead of '{word}'")
 
-    def tell(self, line: str) -> None:
+    def send_line(self, line: str) -> None:
         assert self._process.stdin is not None
         self._process.stdin.write(line + "\n")
         self._process.stdin.flush()
@@ -80,8 +80,8 @@ class Program:
         output, _ = self._process.communicate(timeout=END_SECONDS)
         if self._process.returncode != 0:
             raise SystemExit(f"A program failed with {self._process.returncode}")
-        told: Json = json.loads(output.splitlines()[-1])
-        return told
+        result: Json = json.loads(output.splitlines()[-1])
+        return result
 
     def stop(self) -> None:
         if self._process.poll() is None:
@@ -90,8 +90,8 @@ class Program:
 
 
 @dataclass(frozen=True)
-class Target:
-    """A port, and what strangers say there."""
+class AttackedPort:
+    """An attacked port, and the messages that strangers send there."""
 
     name: str
     port: int
@@ -115,10 +115,10 @@ def _run(options: Options, server: Server, programs: list[Program]) -> Json:
     sink = Program("sink", niceness=options.niceness)
     programs.append(sink)
     targets = [
-        Target("stream", server.stream_port, "/stream", 1),
-        Target("robots", server.robot_web_port, "/", 1),
-        Target("vehicles", server.vehicle_web_port, "/", 2),
-        Target(CONTROL, int(sink.hear()), "/", 2),
+        AttackedPort("stream", server.stream_port, "/stream", 1),
+        AttackedPort("robots", server.robot_web_port, "/", 1),
+        AttackedPort("vehicles", server.vehicle_web_port, "/", 2),
+        AttackedPort(CONTROL, int(sink.read_line()), "/", 2),
     ]
     others = _others(server, programs)
     time.sleep(options.warm_up_seconds)
@@ -158,13 +158,17 @@ def _others(server: Server, programs: list[Program]) -> dict[str, Program]:
 
 def _calm(options: Options, server: Server, others: dict[str, Program]) -> Json:
     time.sleep(SETTLE_SECONDS)
-    meter = Meter(server, others, None)
+    meter = CpuMeter(server, others, None)
     time.sleep(options.calm_seconds)
     return meter.window(CALM) | {"liveHeapMegabytes": _live_heap(server)}
 
 
 def _attack(
-    target: Target, options: Options, server: Server, programs: list[Program], others: dict[str, Program]
+    target: AttackedPort,
+    options: Options,
+    server: Server,
+    programs: list[Program],
+    others: dict[str, Program],
 ) -> Json:
     time.sleep(SETTLE_SECONDS)
     attack = Program(
@@ -176,13 +180,13 @@ def _attack(
     )
     programs.append(attack)
     attack.expect("ready")
-    meter = Meter(server, others, attack)
-    attack.tell("begin")
+    meter = CpuMeter(server, others, attack)
+    attack.send_line("begin")
     attack.expect("sent")
     window = meter.window(target.name)
     # They go on: what they make the server keep is there now.
     live = _live_heap(server)
-    attack.tell("end")
+    attack.send_line("end")
     sent = attack.result()
     programs.remove(attack)
     return window | {"liveHeapMegabytes": live, "attack": sent}
@@ -192,7 +196,7 @@ def _live_heap(server: Server) -> float:
     return round(machine.live_heap_bytes(server.pid) / 1e6, 1)
 
 
-class Meter:
+class CpuMeter:
     """From now on: the processor's time of server, strangers and all others."""
 
     def __init__(self, server: Server, others: dict[str, Program], attack: Program | None) -> None:

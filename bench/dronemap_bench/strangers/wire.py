@@ -47,7 +47,7 @@ def _request(port: int, path: str, headers: tuple[str, ...]) -> bytes:
 
 
 def frame(opcode: int, payload: bytes, last: bool = True) -> bytes:
-    """Of a client: masked, by zeros, which change nothing."""
+    """A frame of a client: masked, by zeros, which change nothing."""
     first = (0x80 if last else 0) | opcode
     length = len(payload)
     if length < 126:
@@ -60,14 +60,14 @@ def frame(opcode: int, payload: bytes, last: bool = True) -> bytes:
 
 
 class Reader:
-    """What the server says on one connection, in whole frames; pings are answered."""
+    """Reads whole frames of the server from one connection; pings are answered."""
 
     def __init__(self, line: socket.socket) -> None:
         self.line = line
         self._held = bytearray()
 
     def frames(self) -> Iterator[bytes]:
-        """What came by now; ConnectionError at the end of the connection."""
+        """The messages received by now; ConnectionError at the end of the connection."""
         more = self.line.recv(LARGEST_READ)
         if not more:
             raise ConnectionError("the connection ended")

@@ -1,4 +1,4 @@
-"""What the bridge uses of mavros_msgs, which Debian does not package: in the words of its interface."""
+"""The part of mavros_msgs that the bridge uses, which Debian does not package."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""What a machine does so that phones in its network trust it, and what a phone does; as the guide tells."""
+"""Makes the server's certificate, and has a browser trust it, as the guide describes."""
 
 import subprocess
 from pathlib import Path
@@ -17,7 +17,7 @@ generate_certificate
 
 
 def make_certificate(folder: Path) -> dict[str, str]:
-    """As `./dronemap up --public` makes them; answers the server's settings."""
+    """Makes certificates as `./dronemap up --public` does; returns the server's settings."""
     (folder / "logs").mkdir(parents=True)
     subprocess.run(
         ["bash", "-c", SIGN, "bash", str(ROOT), str(folder)],
@@ -33,8 +33,8 @@ def make_certificate(folder: Path) -> dict[str, str]:
     }
 
 
-def trust(home: Path, certificate: Path) -> None:
-    """What a person does in a browser's settings: this one may sign for servers."""
+def trust_certificate(home: Path, certificate: Path) -> None:
+    """Adds a certificate to a browser's authorities, as a person does in its settings."""
     store = home / ".pki" / "nssdb"
     store.mkdir(parents=True, exist_ok=True)
     database = ["-d", f"sql:{store}"]

@@ -12,7 +12,7 @@ os.environ.setdefault("MAVLINK20", "1")
 
 from pymavlink import mavutil
 
-from . import newer as newer  # teaches pymavlink
+from . import control_status as control_status  # makes it known to pymavlink
 from .api import Api
 from .server import Server
 from .waiting import wait_for
@@ -53,8 +53,8 @@ def granted(server: Server, api: Api, role: str, drones: list[str]) -> User:
     return user
 
 
-class Ground:
-    """Says that it is there twice a second, and keeps what it hears; signs by a passphrase or not at all."""
+class GroundStation:
+    """A ground station: heartbeats twice a second, keeps all messages, signs if it has a passphrase."""
 
     def __init__(self, address: str, passphrase: str | None, system_id: int = 255) -> None:
         self.link: Any = mavutil.mavlink_connection(
@@ -66,7 +66,7 @@ class Ground:
         if passphrase is not None:
             key = hashlib.sha256(passphrase.encode()).digest()
             self.link.setup_signing(key, sign_outgoing=True, allow_unsigned_callback=lambda *_: False)
-        self.messages: list[Any] = []
+        self.all_messages: list[Any] = []
         self.arrived: dict[int, float] = {}
         self.silent = False
         self._lock = threading.Lock()
@@ -79,16 +79,16 @@ class Ground:
         while not self._closed:
             if time.monotonic() - beat > 0.5 and not self.silent:
                 beat = time.monotonic()
-                self.say("heartbeat", GROUND_STATION, NO_AUTOPILOT, 0, 0, 4)
+                self.send_fields("heartbeat", GROUND_STATION, NO_AUTOPILOT, 0, 0, 4)
             try:
                 message = self.link.recv_match(blocking=True, timeout=0.05)
             except (ConnectionError, OSError):
                 return
             if message is not None and message.get_type() != "BAD_DATA":
                 self.arrived[message.get_srcSystem()] = time.monotonic()
-                self.messages.append(message)
+                self.all_messages.append(message)
 
-    def say(self, message: str, *fields: Any) -> None:
+    def send_fields(self, message: str, *fields: Any) -> None:
         """Sends what pymavlink calls `message`_send."""
         with self._lock:
             getattr(self.link.mav, f"{message}_send")(*fields)
@@ -98,14 +98,16 @@ class Ground:
         with self._lock:
             self.link.mav.send(message)
 
-    def heard(self, kind: str, system_id: int | None = None) -> list[Any]:
+    def messages(self, kind: str, system_id: int | None = None) -> list[Any]:
         return [
-            m for m in list(self.messages) if m.get_type() == kind and system_id in (None, m.get_srcSystem())
+            m
+            for m in list(self.all_messages)
+            if m.get_type() == kind and system_id in (None, m.get_srcSystem())
         ]
 
     def vehicles(self) -> set[int]:
-        """The system ids of all whose autopilot was heard."""
-        beats = self.heard("HEARTBEAT")
+        """The system ids of all vehicles whose heartbeats were received."""
+        beats = self.messages("HEARTBEAT")
         return {m.get_srcSystem() for m in beats if m.type != GROUND_STATION}
 
     def wait_vehicles(self, count: int = 1, seconds: float = 20) -> set[int]:
@@ -119,7 +121,7 @@ class Ground:
         """Messages that are missing from the numbers of the autopilot's."""
         numbers = [
             m.get_seq()
-            for m in list(self.messages)
+            for m in list(self.all_messages)
             if m.get_srcSystem() == system_id and m.get_srcComponent() == 1
         ]
         pairs = zip(numbers, numbers[1:], strict=False)
@@ -127,18 +129,18 @@ class Ground:
 
     def command(self, number: int, command: int, *params: float, seconds: float = 30) -> int:
         """Sends that system a command as a ground station does; the result that it is acknowledged with."""
-        before = len(self.heard("COMMAND_ACK", number))
+        before = len(self.messages("COMMAND_ACK", number))
         values = [*params, *([0.0] * (7 - len(params)))]
-        self.say("command_long", number, 1, command, 0, *values)
+        self.send_fields("command_long", number, 1, command, 0, *values)
 
         def answer() -> list[int] | None:
-            answers = self.heard("COMMAND_ACK", number)[before:]
+            answers = self.messages("COMMAND_ACK", number)[before:]
             return [m.result for m in answers if m.command == command] or None
 
         return wait_for(f"command {command} is acknowledged", answer, seconds)[0]
 
     def texts(self) -> str:
-        return "\n".join(m.text for m in self.heard("STATUSTEXT"))
+        return "\n".join(m.text for m in self.messages("STATUSTEXT"))
 
     def close(self) -> None:
         self._closed = True
@@ -146,4 +148,4 @@ class Ground:
         self.link.close()
 
 
-Attach = Callable[..., Ground]
+Attach = Callable[..., GroundStation]

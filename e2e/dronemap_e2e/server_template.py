@@ -1,4 +1,4 @@
-"""What all servers of tests begin with, made once of each build: most of what they cost is the start."""
+"""Makes the data that all test servers begin with, once for each build: most of their cost is the start."""
 
 import fcntl
 import shutil
@@ -18,7 +18,7 @@ def unpacked(jar: Path) -> Path:
     return _made_once(jar, "unpacked", unpack) / jar.name
 
 
-def begun(jar: Path, data: Path, first_start: Callable[[Path], None]) -> None:
+def copy_initial_data(jar: Path, data: Path, first_start: Callable[[Path], None]) -> None:
     """Makes a folder as a first start leaves it, with secrets that other tests have too."""
     template = _made_once(jar, "begun", first_start)
     data.parent.mkdir(parents=True, exist_ok=True)

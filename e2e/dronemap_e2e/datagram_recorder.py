@@ -1,6 +1,6 @@
-"""Every datagram between vehicles and server, as it was, and what a judge reads in it.
+"""Records every datagram between vehicles and server, and reads messages and states from them later.
 
-A relay that understands nothing but where a frame ends: what it says is decided later, from the bytes alone.
+A relay that understands nothing but where a frame ends: what it means is decided later, from the bytes alone.
 """
 
 import bisect
@@ -41,8 +41,8 @@ class Datagram:
 
 
 @dataclass(frozen=True)
-class Said:
-    """A message in a datagram."""
+class TimedMessage:
+    """A message of a datagram, with the time of the datagram."""
 
     at: float
     message: Any
@@ -58,29 +58,29 @@ class Said:
         return f"{self.kind} {fields}"
 
 
-class Overheard:
-    """Vehicles connect to `port`; each has a socket of its own towards the server."""
+class DatagramRecorder:
+    """A UDP relay that records: vehicles connect to `port`, each has a socket towards the server."""
 
     def __init__(self, server_port: int) -> None:
         self._server: Address = ("127.0.0.1", server_port)
-        self._door = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        self._door.bind(("127.0.0.1", 0))
-        self._door.setblocking(False)
-        self._door.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 20)
-        self.port: int = self._door.getsockname()[1]
+        self._vehicle_socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self._vehicle_socket.bind(("127.0.0.1", 0))
+        self._vehicle_socket.setblocking(False)
+        self._vehicle_socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 20)
+        self.port: int = self._vehicle_socket.getsockname()[1]
         self._vehicles: dict[int, Address] = {}
         self._upstream: dict[Address, socket.socket] = {}
         self._of: dict[socket.socket, tuple[Address, int]] = {}
         self._kept: list[Datagram] = []
-        # These hear nothing of the server.
-        self.deaf: set[int] = set()
+        # Nothing of the server is passed on to these.
+        self.withheld_from: set[int] = set()
         self._closed = False
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
 
     def inject(self, vehicle: int, data: bytes) -> None:
-        """What another ground station says to a vehicle on its own link; the server has no part in it."""
-        self._door.sendto(data, self._vehicles[vehicle])
+        """Sends as another ground station on the vehicle's own link; the server has no part in it."""
+        self._vehicle_socket.sendto(data, self._vehicles[vehicle])
 
     def of(self, vehicle: int) -> "Log":
         return Log([one for one in list(self._kept) if one.vehicle == vehicle])
@@ -90,17 +90,17 @@ class Overheard:
         self._thread.join()
         for upstream in self._upstream.values():
             upstream.close()
-        self._door.close()
+        self._vehicle_socket.close()
 
     def _run(self) -> None:
         while not self._closed:
-            for ready in select.select([self._door, *self._of], [], [], 0.2)[0]:
+            for ready in select.select([self._vehicle_socket, *self._of], [], [], 0.2)[0]:
                 try:
                     data, sender = ready.recvfrom(65535)
                 except (ConnectionError, BlockingIOError):
                     # The server is not there at the moment, which may have been told already.
                     continue
-                if ready is self._door:
+                if ready is self._vehicle_socket:
                     self._up(sender, data)
                 else:
                     self._down(*self._of[ready], data)
@@ -125,10 +125,10 @@ class Overheard:
             return
 
     def _down(self, vehicle: Address, number: int, data: bytes) -> None:
-        withheld = number in self.deaf
+        withheld = number in self.withheld_from
         self._keep(False, number, data, withheld)
         if not withheld:
-            self._door.sendto(data, vehicle)
+            self._vehicle_socket.sendto(data, vehicle)
 
     def _keep(self, up: bool, vehicle: int, data: bytes, withheld: bool) -> None:
         self._kept.append(Datagram(time.monotonic(), up, vehicle, data, withheld))
@@ -136,7 +136,7 @@ class Overheard:
 
 @dataclass(frozen=True)
 class State:
-    """What a vehicle said of itself, by its newest words at that moment."""
+    """State of a vehicle by its newest messages at that moment."""
 
     at: float
     mode: int
@@ -147,7 +147,7 @@ class State:
 
 
 class Log:
-    """What one vehicle said and was told."""
+    """Messages from and to one vehicle."""
 
     def __init__(self, datagrams: list[Datagram]) -> None:
         self._datagrams = datagrams
@@ -156,40 +156,40 @@ class Log:
     def states(self) -> list[State]:
         found: list[State] = []
         mode, armed, height, speed = -1, False, 0.0, 0.0
-        for said in self.up:
-            message = said.message
-            if said.kind == "HEARTBEAT":
+        for timed in self.up:
+            message = timed.message
+            if timed.kind == "HEARTBEAT":
                 mode, armed = message.custom_mode, bool(message.base_mode & ARMED)
-            elif said.kind == "GLOBAL_POSITION_INT":
+            elif timed.kind == "GLOBAL_POSITION_INT":
                 height = message.relative_alt / 1000
                 speed = (message.vx**2 + message.vy**2 + message.vz**2) ** 0.5 / 100
             else:
                 continue
             if mode >= 0:
-                found.append(State(said.at, mode, armed, height, speed))
+                found.append(State(timed.at, mode, armed, height, speed))
         return found
 
     @cached_property
-    def up(self) -> list[Said]:
-        return list(self._said(True, UP_KINDS))
+    def up(self) -> list[TimedMessage]:
+        return list(self._messages(True, UP_KINDS))
 
     @cached_property
-    def down(self) -> list[Said]:
-        """All that the server said to it, also what never arrived."""
-        return list(self._said(False, None))
+    def down(self) -> list[TimedMessage]:
+        """All that the server sent to it, also what never arrived."""
+        return list(self._messages(False, None))
 
     def at(self, moment: float) -> State:
-        """As it was then."""
+        """State at that moment."""
         times = [state.at for state in self.states]
         return self.states[max(0, bisect.bisect_right(times, moment) - 1)]
 
     def since(self, moment: float) -> list[State]:
         return [self.at(moment), *(state for state in self.states if state.at > moment)]
 
-    def told(self, since: float, *kinds: str) -> list[Said]:
+    def sent_since(self, since: float, *kinds: str) -> list[TimedMessage]:
         return [one for one in self.down if one.at >= since and (not kinds or one.kind in kinds)]
 
-    def _said(self, up: bool, wanted: frozenset[int] | None) -> Iterator[Said]:
+    def _messages(self, up: bool, wanted: frozenset[int] | None) -> Iterator[TimedMessage]:
         parser = mavlink.MAVLink(None)
         parser.robust_parsing = True
         for datagram in self._datagrams:
@@ -198,7 +198,7 @@ class Log:
             for number, frame in frames(datagram.data):
                 if wanted is None or number in wanted:
                     for message in parser.parse_buffer(frame) or []:
-                        yield Said(datagram.at, message)
+                        yield TimedMessage(datagram.at, message)
 
 
 def frames(data: bytes) -> Iterator[tuple[int, bytes]]:
@@ -217,7 +217,7 @@ def frames(data: bytes) -> Iterator[tuple[int, bytes]]:
 
 
 def source(data: bytes) -> int | None:
-    """The system id of whoever says it; None: no message, as the words that an autopilot begins with."""
+    """The system id of the sender; None: no message, as the text that an autopilot begins with."""
     if data[0] == MAVLINK_2:
         return data[5]
     return data[3] if data[0] == MAVLINK_1 else None

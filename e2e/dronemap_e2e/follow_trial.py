@@ -14,17 +14,17 @@ from functools import partial
 from pathlib import Path
 
 from .api import Api, Json
-from .big_trial import boot_seconds, fix, local, place
-from .impairer import CLEAR, Impairer, Weather
-from .runs import known
+from .big_trial import boot_seconds, fix, to_degrees, to_metres
+from .impairer import UNIMPAIRED, Impairer, LinkConditions
+from .message_recorder import MessageRecorder
+from .runs import ready_drone
 from .server import Server
 from .simulator import Simulator
-from .tap import Tap
 from .trajectories import Disc
 from .waiting import rounds, wait_for
 
 FIRST_SYSTEM_ID = 1
-DELAYED = Weather(delay=0.3, jitter=0.2, loss=0.1)
+DELAYED = LinkConditions(delay=0.3, jitter=0.2, loss=0.1)
 # The simulator's vehicles stand so far from each other, in rows.
 SPACING_METRES = 60.0
 EDGE_METRES = 45.0
@@ -35,13 +35,13 @@ SPEEDS = (1.4, 4.0, 8.0)
 HEIGHTS = (5, 5, 6, 8, 12, 20)
 LOWEST_METRES = 5.0
 WANDERS_METRES, WANDERS_SECONDS, WHITE_METRES = 3.0, 60.0, 0.5
-TICK_SECONDS = 0.1
+STEP_SECONDS = 0.1
 SEPARATION = {"metres": 10.0, "height": 5.0}
 
 
 @dataclass
 class Field:
-    """What is flown in, in metres east and north of the first home."""
+    """The area that is flown in, in metres east and north of the first home."""
 
     homes: list[tuple[float, float]]
     west: float
@@ -52,7 +52,7 @@ class Field:
 
     @staticmethod
     def around(drones: list[Json], origin: Json, chance: random.Random) -> "Field":
-        homes = [_local(origin, drone["home"]) for drone in drones]
+        homes = [_to_metres(origin, drone["home"]) for drone in drones]
         easts, norths = [h[0] for h in homes], [h[1] for h in homes]
         made = Field(
             homes,
@@ -77,10 +77,10 @@ class Field:
         return made
 
     def zones(self, origin: Json) -> list[Json]:
-        """As the server is told of them."""
+        """Zones as bodies of REST requests."""
 
         def at(east: float, north: float) -> list[float]:
-            there = place(origin, east, north)
+            there = to_degrees(origin, east, north)
             return [there["longitude"], there["latitude"]]
 
         corners = [
@@ -106,8 +106,8 @@ class Field:
         return [stay_in, *keep_out]
 
 
-class Phone:
-    """Goes from place to place, as often as not where no drone may come, and says where it is."""
+class SimulatedPhone:
+    """A phone that goes from place to place, often where no drone may come, and sends its position."""
 
     def __init__(self, ground: Field, number: int, chance: random.Random) -> None:
         self._field = ground
@@ -118,14 +118,14 @@ class Phone:
         self._speed = chance.choice(SPEEDS)
         self._off = [chance.gauss(0, WANDERS_METRES) for _ in range(2)]
         self._due: list[tuple[float, int, Json]] = []
-        self._said = 0
+        self._position_count = 0
         self.walks = False
         self.follow = ""
 
-    def here(self) -> tuple[float, float]:
+    def position(self) -> tuple[float, float]:
         return self._east, self._north
 
-    def go(self, seconds: float) -> None:
+    def move(self, seconds: float) -> None:
         if not self.walks:
             return
         east, north = self._goal[0] - self._east, self._goal[1] - self._north
@@ -149,21 +149,23 @@ class Phone:
             self._random.uniform(self._field.south - beyond, self._field.north + beyond),
         )
 
-    def say(self, origin: Json, now: float, weather: Weather) -> None:
+    def send_position(self, origin: Json, now: float, conditions: LinkConditions) -> None:
         """On its way from now on; what is lost is lost."""
         keep = math.exp(-1 / WANDERS_SECONDS)
         fresh = WANDERS_METRES * math.sqrt(1 - keep * keep)
         self._off = [off * keep + self._random.gauss(0, fresh) for off in self._off]
         east, north = (
             true + off + self._random.gauss(0, WHITE_METRES)
-            for true, off in zip(self.here(), self._off, strict=True)
+            for true, off in zip(self.position(), self._off, strict=True)
         )
         at = datetime.fromtimestamp(time.time(), UTC).isoformat()
-        self._said += 1
-        position = {"id": self._said, "at": at, "accuracy": 5} | place(origin, east, north)
-        if self._random.random() >= weather.loss:
-            delay = weather.delay + self._random.uniform(-weather.jitter, weather.jitter)
-            heapq.heappush(self._due, (now + delay, self._said, {"sent": at, "positions": [position]}))
+        self._position_count += 1
+        position = {"id": self._position_count, "at": at, "accuracy": 5} | to_degrees(origin, east, north)
+        if self._random.random() >= conditions.loss:
+            delay = conditions.delay + self._random.uniform(-conditions.jitter, conditions.jitter)
+            heapq.heappush(
+                self._due, (now + delay, self._position_count, {"sent": at, "positions": [position]})
+            )
 
     def arrived(self, now: float) -> list[Json]:
         found = []
@@ -172,7 +174,7 @@ class Phone:
         return found
 
 
-class Chase:
+class FollowTrial:
     """One round: a server, a fleet in the wind, and as many phones."""
 
     def __init__(self, folder: Path, seed: int, follows: int, wind: float) -> None:
@@ -182,10 +184,10 @@ class Chase:
         self.server = Server(folder / "data")
         self.server.start()
         self.link = Impairer(self.server.udp_port, seed)
-        self.tap = Tap(self.link.port, ("GLOBAL_POSITION_INT",))
+        self.recorder = MessageRecorder(self.link.port, ("GLOBAL_POSITION_INT",))
         self.simulator = Simulator(
             folder / "sim.log",
-            f"udp://127.0.0.1:{self.tap.port}",
+            f"udp://127.0.0.1:{self.recorder.port}",
             *("--count", str(follows), "--sysid", str(FIRST_SYSTEM_ID), "--seed", str(seed)),
             *("--wind", f"{wind:g}"),
         )
@@ -193,14 +195,14 @@ class Chase:
 
     def close(self) -> None:
         self.simulator.stop()
-        self.tap.close()
+        self.recorder.close()
         self.link.close()
         self.server.stop()
 
     def fly(self, seconds: float) -> Json:
-        """What the judge found, who sees only where the vehicles were."""
+        """Flies one round; returns what the judge found from the vehicles' positions alone."""
         drones = [
-            wait_for("all is known", partial(known, self.api, FIRST_SYSTEM_ID + n), 180)
+            wait_for("all is known", partial(ready_drone, self.api, FIRST_SYSTEM_ID + n), 180)
             for n in range(self.follows)
         ]
         origin: Json = drones[0]["home"]
@@ -208,31 +210,31 @@ class Chase:
         for zone in ground.zones(origin):
             answer = self.api.call("POST", "/zones", zone)
             assert answer.status_code == 201, answer.text
-        phones = [Phone(ground, number, self.random) for number in range(self.follows)]
+        phones = [SimulatedPhone(ground, number, self.random) for number in range(self.follows)]
         for phone, drone in zip(phones, drones, strict=True):
-            self._ask(phone, drone, origin)
-        self.link.weather = DELAYED
-        self._talk(phones, origin, 180, lambda: self._all(phones, "tracking"))
+            self._request_follow(phone, drone, origin)
+        self.link.conditions = DELAYED
+        self._send_positions(phones, origin, 180, lambda: self._all_in_state(phones, "tracking"))
         begun = time.monotonic()
         for phone in phones:
             phone.walks = True
-        self._talk(phones, origin, seconds)
+        self._send_positions(phones, origin, seconds)
         ended = time.monotonic()
         states = [self.api.get(f"/follows/{phone.follow}") for phone in phones]
-        self.link.weather = CLEAR
-        return self._judged(origin, ground, (begun, ended)) | {
+        self.link.conditions = UNIMPAIRED
+        return self._judgement(origin, ground, (begun, ended)) | {
             "states": [one["state"] for one in states],
             "why": [one["told"][-1]["words"] for one in states if one["state"] != "tracking"],
         }
 
-    def _ask(self, phone: Phone, drone: Json, origin: Json) -> None:
+    def _request_follow(self, phone: SimulatedPhone, drone: Json, origin: Json) -> None:
         sides: list[Json] = [
             {"side": "behind"},
             {"side": "ahead"},
             {"side": "fixed", "bearing": self.random.randrange(360)},
         ]
         beside: Json = {"distance": self.random.randrange(3, 16), "height": self.random.choice(HEIGHTS)}
-        order = place(origin, *phone.here()) | {
+        order = to_degrees(origin, *phone.position()) | {
             "drone": drone["id"],
             "place": self.random.choice(sides) | beside,
         }
@@ -241,23 +243,27 @@ class Chase:
         phone.follow = answer.json()["id"]
         assert self.api.call("POST", f"/follows/{phone.follow}/start").ok
 
-    def _all(self, phones: list[Phone], state: str) -> bool:
+    def _all_in_state(self, phones: list[SimulatedPhone], state: str) -> bool:
         seen = {one["id"]: one["state"] for one in self.api.get("/follows")["follows"]}
         return all(seen[phone.follow] == state for phone in phones)
 
-    def _talk(
-        self, phones: list[Phone], origin: Json, seconds: float, until: Callable[[], bool] | None = None
+    def _send_positions(
+        self,
+        phones: list[SimulatedPhone],
+        origin: Json,
+        seconds: float,
+        until: Callable[[], bool] | None = None,
     ) -> None:
-        """Lets them go and say where they are, for so long or until that is so."""
-        said = [time.monotonic() - self.random.random() for _ in phones]
+        """Moves the phones and sends their positions, for so long or until that is so."""
+        last_sent = [time.monotonic() - self.random.random() for _ in phones]
         looked = 0.0
-        for _ in rounds(time.monotonic() + seconds, TICK_SECONDS):
+        for _ in rounds(time.monotonic() + seconds, STEP_SECONDS):
             for number, phone in enumerate(phones):
                 now = time.monotonic()
-                phone.go(TICK_SECONDS)
-                if now - said[number] >= 1:
-                    said[number] += 1
-                    phone.say(origin, now, DELAYED)
+                phone.move(STEP_SECONDS)
+                if now - last_sent[number] >= 1:
+                    last_sent[number] += 1
+                    phone.send_position(origin, now, DELAYED)
                 for message in phone.arrived(now):
                     answer = self.api.call("POST", f"/follows/{phone.follow}/positions", message)
                     assert answer.ok, answer.text
@@ -267,9 +273,9 @@ class Chase:
                     return
         assert until is None, f"not all follow after {seconds:.0f} s: {self.api.get('/follows')}"
 
-    def _judged(self, origin: Json, ground: Field, when: tuple[float, float]) -> Json:
+    def _judgement(self, origin: Json, ground: Field, when: tuple[float, float]) -> Json:
         tracks: dict[int, list[list[float]]] = {}
-        for one in self.tap.heard("GLOBAL_POSITION_INT", up=True):
+        for one in self.recorder.messages("GLOBAL_POSITION_INT", up=True):
             if when[0] <= one.at <= when[1]:
                 here = fix(origin, one)
                 row = [boot_seconds(one), here.east, here.north, here.up, here.above_home]
@@ -283,11 +289,11 @@ class Chase:
         }
         file = self.folder / "truth.json"
         file.write_text(json.dumps(truth))
-        judge = [sys.executable, "-m", "dronemap_e2e.chase_judge", str(file)]
+        judge = [sys.executable, "-m", "dronemap_e2e.follow_judge", str(file)]
         root = Path(__file__).resolve().parents[1]
         found: Json = json.loads(subprocess.run(judge, capture_output=True, check=True, cwd=root).stdout)
         return found
 
 
-def _local(origin: Json, there: Json) -> tuple[float, float]:
-    return local(origin, there["latitude"], there["longitude"])
+def _to_metres(origin: Json, there: Json) -> tuple[float, float]:
+    return to_metres(origin, there["latitude"], there["longitude"])

@@ -13,16 +13,16 @@ from functools import partial
 from pathlib import Path
 
 from .api import Api, Json
-from .big_trial import fix, local, place
-from .chase import FIRST_SYSTEM_ID, SEPARATION, TICK_SECONDS, Field, Phone
-from .impairer import CLEAR
-from .runs import known
+from .big_trial import fix, to_degrees, to_metres
+from .follow_trial import FIRST_SYSTEM_ID, SEPARATION, STEP_SECONDS, Field, SimulatedPhone
+from .impairer import UNIMPAIRED
+from .message_recorder import MessageRecorder
+from .runs import ready_drone
 from .server import Server
 from .simulator import Simulator
-from .tap import Tap
 from .waiting import rounds, wait_for
 
-STROLLS_METRES = 35.0
+WANDERS_WITHIN_METRES = 35.0
 SPEEDS = (1.4, 1.4, 3.0)
 # What is left in the fullest battery that is to be replaced, and how much less there is in each next one.
 FULLEST_PERCENT, APART_PERCENT = 46, 1.5
@@ -34,47 +34,47 @@ KEPT_METRES = 50
 MOMENT_SECONDS = 2.0
 
 
-class Stroller(Phone):
+class WanderingPhone(SimulatedPhone):
     """Goes about near where it began, across the ways of others."""
 
     def __init__(self, ground: Field, number: int, chance: random.Random) -> None:
         super().__init__(ground, number, chance)
-        self._began = self.here()
+        self._origin = self.position()
         self._speed = chance.choice(SPEEDS)
-        self.walked: list[tuple[float, float, float]] = []
+        self.path: list[tuple[float, float, float]] = []
 
     def _next(self) -> tuple[float, float]:
-        reach = STROLLS_METRES
+        reach = WANDERS_WITHIN_METRES
         return (
-            self._began[0] + self._random.uniform(-reach, reach),
-            self._began[1] + self._random.uniform(-reach, reach),
+            self._origin[0] + self._random.uniform(-reach, reach),
+            self._origin[1] + self._random.uniform(-reach, reach),
         )
 
-    def go(self, seconds: float) -> None:
-        super().go(seconds)
-        self.walked.append((time.monotonic(), *self.here()))
+    def move(self, seconds: float) -> None:
+        super().move(seconds)
+        self.path.append((time.monotonic(), *self.position()))
 
-    def was(self, at: float) -> tuple[float, float]:
-        index = min(bisect_left(self.walked, (at,)), len(self.walked) - 1)
-        return self.walked[index][1:]
+    def position_at(self, at: float) -> tuple[float, float]:
+        index = min(bisect_left(self.path, (at,)), len(self.path) - 1)
+        return self.path[index][1:]
 
 
 @dataclass
-class Seen:
-    """What the follow of one phone was seen to be."""
+class FollowHistory:
+    """States, drones and messages that the follow of one phone went through."""
 
     states: set[str] = field(default_factory=set)
     drones: list[str] = field(default_factory=list)
-    told: list[str] = field(default_factory=list)
+    messages: list[str] = field(default_factory=list)
 
-    def look(self, follow: Json) -> None:
+    def update(self, follow: Json) -> None:
         self.states.add(follow["state"])
-        self.told = [one["words"] for one in follow["told"]]
+        self.messages = [one["words"] for one in follow["told"]]
         if follow["drone"] not in self.drones:
             self.drones.append(follow["drone"])
 
 
-class Relay:
+class ReliefTrial:
     """A server, twice as many drones as phones, and what became of them."""
 
     def __init__(self, folder: Path, seed: int, phones: int) -> None:
@@ -83,38 +83,38 @@ class Relay:
         self.folder = folder
         self.server = Server(folder / "data")
         self.server.start()
-        self.tap = Tap(self.server.udp_port, ("GLOBAL_POSITION_INT",))
+        self.recorder = MessageRecorder(self.server.udp_port, ("GLOBAL_POSITION_INT",))
         self.simulator = Simulator(
             folder / "sim.log",
-            f"udp://127.0.0.1:{self.tap.port}",
+            f"udp://127.0.0.1:{self.recorder.port}",
             *("--count", str(2 * phones), "--sysid", str(FIRST_SYSTEM_ID), "--seed", str(seed)),
         )
         self.api = Api(self.server.address, self.server.local_key())
-        self.phones: list[Stroller] = []
-        self.seen: list[Seen] = []
+        self.phones: list[WanderingPhone] = []
+        self.seen: list[FollowHistory] = []
 
     def close(self) -> None:
         self.simulator.stop()
-        self.tap.close()
+        self.recorder.close()
         self.server.stop()
 
     def fly(self, longest: float, after: float) -> Json:
-        """Until each drone was replaced, and a little longer; what truly was then."""
+        """Flies until each drone was replaced, and a little longer; returns what was measured."""
         drones = [
-            wait_for("all is known", partial(known, self.api, FIRST_SYSTEM_ID + n), 180)
+            wait_for("all is known", partial(ready_drone, self.api, FIRST_SYSTEM_ID + n), 180)
             for n in range(2 * self.count)
         ]
         origin: Json = drones[0]["home"]
         homes = [
-            local(origin, drone["home"]["latitude"], drone["home"]["longitude"])
+            to_metres(origin, drone["home"]["latitude"], drone["home"]["longitude"])
             for drone in drones[: self.count]
         ]
         ground = Field(homes, 0, 0, 0, 0)
-        self.phones = [Stroller(ground, number, self.random) for number in range(self.count)]
-        self.seen = [Seen() for _ in self.phones]
+        self.phones = [WanderingPhone(ground, number, self.random) for number in range(self.count)]
+        self.seen = [FollowHistory() for _ in self.phones]
         for phone, drone in zip(self.phones, drones[: self.count], strict=True):
-            self._ask(phone, drone, origin)
-        self._talk(origin, 120, lambda: all("tracking" in seen.states for seen in self.seen))
+            self._request_follow(phone, drone, origin)
+        self._send_positions(origin, 120, lambda: all("tracking" in seen.states for seen in self.seen))
         for seen in self.seen:
             seen.states.clear()
         for drone in drones[self.count :]:
@@ -124,15 +124,15 @@ class Relay:
             percent = FULLEST_PERCENT - APART_PERCENT * number
             self.simulator.fault(f"{FIRST_SYSTEM_ID + number} battery {percent:g}")
         began = time.monotonic()
-        self._talk(origin, longest, lambda: all(len(seen.drones) > 1 for seen in self.seen))
+        self._send_positions(origin, longest, lambda: all(len(seen.drones) > 1 for seen in self.seen))
         replaced = time.monotonic() - began
-        self._talk(origin, after)
+        self._send_positions(origin, after)
         numbers = {drone["id"]: FIRST_SYSTEM_ID + number for number, drone in enumerate(drones)}
-        return {"replaced": replaced} | self._judged(origin, numbers, (began, time.monotonic()))
+        return {"replaced": replaced} | self._judgement(origin, numbers, (began, time.monotonic()))
 
-    def _ask(self, phone: Stroller, drone: Json, origin: Json) -> None:
+    def _request_follow(self, phone: WanderingPhone, drone: Json, origin: Json) -> None:
         beside: Json = {"distance": self.random.randrange(5, 13), "height": self.random.randrange(10, 21)}
-        order = place(origin, *phone.here()) | {
+        order = to_degrees(origin, *phone.position()) | {
             "drone": drone["id"],
             "place": {"side": self.random.choice(("behind", "ahead"))} | beside,
         }
@@ -141,17 +141,17 @@ class Relay:
         phone.follow = answer.json()["id"]
         assert self.api.call("POST", f"/follows/{phone.follow}/start").ok
 
-    def _talk(self, origin: Json, seconds: float, until: Callable[[], bool] | None = None) -> None:
-        said = [time.monotonic() - self.random.random() for _ in self.phones]
+    def _send_positions(self, origin: Json, seconds: float, until: Callable[[], bool] | None = None) -> None:
+        last_sent = [time.monotonic() - self.random.random() for _ in self.phones]
         looked = 0.0
         moved = time.monotonic()
-        for _ in rounds(time.monotonic() + seconds, TICK_SECONDS):
+        for _ in rounds(time.monotonic() + seconds, STEP_SECONDS):
             now = time.monotonic()
             for number, phone in enumerate(self.phones):
-                phone.go(now - moved)
-                if now - said[number] >= 1:
-                    said[number] += 1
-                    phone.say(origin, now, CLEAR)
+                phone.move(now - moved)
+                if now - last_sent[number] >= 1:
+                    last_sent[number] += 1
+                    phone.send_position(origin, now, UNIMPAIRED)
                 for message in phone.arrived(now):
                     answer = self.api.call("POST", f"/follows/{phone.follow}/positions", message)
                     assert answer.ok, answer.text
@@ -160,14 +160,14 @@ class Relay:
                 looked = now
                 found = {one["id"]: one for one in self.api.get("/follows")["follows"]}
                 for phone, seen in zip(self.phones, self.seen, strict=True):
-                    seen.look(found[phone.follow])
+                    seen.update(found[phone.follow])
                 if until is not None and until():
                     return
         assert until is None, f"not within {seconds:.0f} s: {self.seen}"
 
-    def _judged(self, origin: Json, numbers: dict[str, int], when: tuple[float, float]) -> Json:
+    def _judgement(self, origin: Json, numbers: dict[str, int], when: tuple[float, float]) -> Json:
         tracks: dict[int, list[list[float]]] = {}
-        for one in self.tap.heard("GLOBAL_POSITION_INT", up=True):
+        for one in self.recorder.messages("GLOBAL_POSITION_INT", up=True):
             if when[0] <= one.at <= when[1]:
                 here = fix(origin, one)
                 row = [one.at, here.east, here.north, here.up, here.above_home]
@@ -178,15 +178,15 @@ class Relay:
             "lowest": -1,
             "separation": SEPARATION,
             "tracks": tracks,
-            "walked": [phone.walked for phone in self.phones],
+            "walked": [phone.path for phone in self.phones],
         }
         file = self.folder / "truth.json"
         file.write_text(json.dumps(truth))
-        judge = [sys.executable, "-m", "dronemap_e2e.chase_judge", str(file)]
+        judge = [sys.executable, "-m", "dronemap_e2e.follow_judge", str(file)]
         root = Path(__file__).resolve().parents[1]
         found: Json = json.loads(subprocess.run(judge, capture_output=True, check=True, cwd=root).stdout)
         away = [
-            self._away(phone, [tracks[numbers[drone]] for drone in seen.drones], when)
+            self._distances(phone, [tracks[numbers[drone]] for drone in seen.drones], when)
             for phone, seen in zip(self.phones, self.seen, strict=True)
         ]
         return {
@@ -197,13 +197,15 @@ class Relay:
         }
 
     @staticmethod
-    def _away(phone: Stroller, tracks: list[list[list[float]]], when: tuple[float, float]) -> list[float]:
-        """How far a phone was from the nearest of its drones in the air, each moment; infinite: none flew."""
+    def _distances(
+        phone: WanderingPhone, tracks: list[list[list[float]]], when: tuple[float, float]
+    ) -> list[float]:
+        """Metres from a phone to the nearest of its drones in the air, each moment; infinite: none flew."""
         nearest: dict[int, float] = {}
         for track in tracks:
             for at, east, north, _, above_home in track:
                 if above_home > 3:
-                    there = phone.was(at)
+                    there = phone.position_at(at)
                     metres = math.hypot(east - there[0], north - there[1])
                     moment = int(at / MOMENT_SECONDS)
                     nearest[moment] = min(nearest.get(moment, math.inf), metres)
@@ -212,7 +214,7 @@ class Relay:
 
 
 def longest(metres: list[float], kept: float) -> int:
-    """Of all moments in a row that were farther than that."""
+    """The longest row of moments that were farther than that."""
     most = row = 0
     for one in metres:
         row = row + 1 if one > kept else 0

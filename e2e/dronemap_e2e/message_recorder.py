@@ -1,4 +1,4 @@
-"""A tap on the wire: relays UDP between vehicles and server, keeps every message of both directions."""
+"""Relays UDP between vehicles and server, and records every message of both directions."""
 
 import select
 import socket
@@ -14,13 +14,13 @@ Address = tuple[str, int]
 
 
 @dataclass(frozen=True)
-class Heard:
-    """One message seen on the wire; seconds are monotonic."""
+class RecordedMessage:
+    """A message recorded on the wire; seconds are monotonic."""
 
     at: float
     up: bool
     message: Any
-    # The system id of the vehicle that says it or is told; None: it said nothing yet.
+    # The system id of the vehicle that sent it or that it was sent to; None: it sent nothing yet.
     vehicle: int | None = None
 
     @property
@@ -29,31 +29,31 @@ class Heard:
         return name
 
 
-class Hears(Protocol):
-    """Whoever overhears a wire."""
+class MessageLog(Protocol):
+    """Recorded messages, of all vehicles or of one."""
 
-    def heard(self, *kinds: str, up: bool | None = None, since: float = 0.0) -> list[Heard]: ...
+    def messages(self, *kinds: str, up: bool | None = None, since: float = 0.0) -> list[RecordedMessage]: ...
 
 
-class Wire:
-    """What one vehicle behind a tap says and is told."""
+class VehicleMessages:
+    """Recorded messages from and to one vehicle."""
 
-    def __init__(self, tap: "Tap", vehicle: int) -> None:
-        self._tap = tap
+    def __init__(self, recorder: "MessageRecorder", vehicle: int) -> None:
+        self._recorder = recorder
         self._vehicle = vehicle
 
-    def heard(self, *kinds: str, up: bool | None = None, since: float = 0.0) -> list[Heard]:
-        return [h for h in self._tap.heard(*kinds, up=up, since=since) if h.vehicle == self._vehicle]
+    def messages(self, *kinds: str, up: bool | None = None, since: float = 0.0) -> list[RecordedMessage]:
+        return [h for h in self._recorder.messages(*kinds, up=up, since=since) if h.vehicle == self._vehicle]
 
 
-class Tap:
-    """Vehicles connect to `port` here; everything goes on to the server from a socket per vehicle."""
+class MessageRecorder:
+    """A UDP relay: vehicles connect to `port`, the server sees a socket per vehicle; keeps all messages."""
 
     def __init__(self, server_port: int, keep: Collection[str] = ()) -> None:
         """`keep`: of long runs only messages of these kinds; none named: all."""
         self._server: Address = ("127.0.0.1", server_port)
-        self._keeps = frozenset(keep)
-        # System ids of vehicles whose links are cut: they are overheard, and nobody hears them.
+        self._kinds = frozenset(keep)
+        # System ids of vehicles whose links are cut: their messages are recorded, and not passed on.
         self.cut: set[int] = set()
         self._systems: dict[Address, int] = {}
         self._vehicles = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
@@ -61,22 +61,22 @@ class Tap:
         self.port: int = self._vehicles.getsockname()[1]
         self._upstream: dict[Address, socket.socket] = {}
         self._parsers: dict[tuple[Address, bool], Any] = {}
-        self._heard: list[Heard] = []
+        self._messages: list[RecordedMessage] = []
         self._lock = threading.Lock()
         self._closed = False
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
 
-    def heard(self, *kinds: str, up: bool | None = None, since: float = 0.0) -> list[Heard]:
+    def messages(self, *kinds: str, up: bool | None = None, since: float = 0.0) -> list[RecordedMessage]:
         with self._lock:
             return [
                 h
-                for h in self._heard
+                for h in self._messages
                 if (not kinds or h.kind in kinds) and (up is None or h.up == up) and h.at >= since
             ]
 
     def upstream_ports(self) -> set[int]:
-        """The ports from which the server hears the vehicles."""
+        """The ports from which the server receives the vehicles' messages."""
         return {upstream.getsockname()[1] for upstream in list(self._upstream.values())}
 
     def close(self) -> None:
@@ -119,10 +119,10 @@ class Tap:
         if up and messages:
             self._systems[vehicle] = messages[0].get_srcSystem()
         with self._lock:
-            self._heard.extend(
-                Heard(now, up, message, self._systems.get(vehicle))
+            self._messages.extend(
+                RecordedMessage(now, up, message, self._systems.get(vehicle))
                 for message in messages
-                if not self._keeps or message.get_type() in self._keeps
+                if not self._kinds or message.get_type() in self._kinds
             )
 
 

@@ -12,7 +12,7 @@ LONGEST_SECONDS = 0.08
 LONGEST_BETWEEN_SECONDS = 0.15
 
 
-class Stall:
+class DatabaseStall:
     """Stops and continues the processes of a server's own database at random while it is entered."""
 
     def __init__(self, data: Path, seed: int) -> None:
@@ -22,7 +22,7 @@ class Stall:
         self._thread = threading.Thread(target=self._run, daemon=True)
         self.times = 0
 
-    def __enter__(self) -> "Stall":
+    def __enter__(self) -> "DatabaseStall":
         self._thread.start()
         return self
 
@@ -34,14 +34,14 @@ class Stall:
 
     def _run(self) -> None:
         while not self._over.wait(self._chance.random() * LONGEST_BETWEEN_SECONDS):
-            halted = [process for process in self._processes() if _tell(process, signal.SIGSTOP)]
+            halted = [process for process in self._processes() if _signal(process, signal.SIGSTOP)]
             self._over.wait(self._chance.random() * LONGEST_SECONDS)
             for process in halted:
-                _tell(process, signal.SIGCONT)
+                _signal(process, signal.SIGCONT)
             self.times += bool(halted)
 
     def _processes(self) -> list[int]:
-        """Those that serve connections; none while the database is down."""
+        """Processes that serve connections; none while the database is down."""
         with suppress(OSError, ValueError, IndexError):
             first = int((self._cluster / "postmaster.pid").read_text().splitlines()[0])
             children = Path(f"/proc/{first}/task/{first}/children").read_text().split()
@@ -55,7 +55,7 @@ def _serves(process: int) -> bool:
     return False
 
 
-def _tell(process: int, what: signal.Signals) -> bool:
+def _signal(process: int, what: signal.Signals) -> bool:
     with suppress(ProcessLookupError):
         os.kill(process, what)
         return True

@@ -1,4 +1,4 @@
-"""Judges follows by where vehicles truly were: `python -m dronemap_e2e.chase_judge TRUTH.json`.
+"""Judges follows by where vehicles truly were: `python -m dronemap_e2e.follow_judge TRUTH.json`.
 
 The file holds the fences in metres, the lowest height above each home, what drones are to keep from each
 other, and for each vehicle rows of seconds, east, north, up and height above its home.
@@ -18,7 +18,7 @@ RISES_WITHIN_METRES = 3.0
 
 
 def judged(truth: dict[str, Any]) -> dict[str, Any]:
-    """How much was left at the worst moment, of each measure; negative: somebody went beyond."""
+    """The least margin of each measure; negative: somebody went beyond."""
     tracks = {int(name): Track([Fix(*row) for row in rows]) for name, rows in truth["tracks"].items()}
     starts = [track.fixes[0].seconds for track in tracks.values()]
     ends = [track.fixes[-1].seconds for track in tracks.values()]

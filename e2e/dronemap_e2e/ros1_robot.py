@@ -2,7 +2,7 @@
 
 It moves as cmd_vel says, and on for ever; it goes straight to a goal. Its odometry began somewhere else than
 its map, and AMCL says now and then where it is. Each order that it hears is a line of JSON on its output.
-`python3 ros1_machine.py PICTURE` shows that picture as its camera's.
+`python3 ros1_robot.py PICTURE` shows that picture as its camera's.
 """
 
 import json
@@ -23,7 +23,7 @@ GOAL_SPEED = 2.0
 BEGAN_X, BEGAN_Y, BEGAN_YAW = 1.5, -0.5, math.pi / 2
 
 
-class Machine:
+class SimulatedRobot:
     """Orders come on rospy's threads, each replaces one value; the rest is the main thread's."""
 
     def __init__(self, picture: bytes) -> None:
@@ -44,31 +44,31 @@ class Machine:
 
     def _drive(self, twist: Any) -> None:
         self._speeds = (twist.linear.x, twist.angular.z)
-        tell("cmd_vel", forward=twist.linear.x, turn=twist.angular.z)
+        print_order("cmd_vel", forward=twist.linear.x, turn=twist.angular.z)
 
     def _go(self, goal: Any) -> None:
         place = goal.pose.position
         self._goal = (place.x, place.y)
-        tell("goal", x=place.x, y=place.y, frame=goal.header.frame_id)
+        print_order("goal", x=place.x, y=place.y, frame=goal.header.frame_id)
 
     def _cancel(self, _: Any) -> None:
         self._goal = None
-        tell("cancel")
+        print_order("cancel")
 
     def run(self) -> None:
         self._map.publish(room())
         rate = rospy.Rate(HERTZ)
-        tick = 0
+        step = 0
         while not rospy.is_shutdown():
             forward = self._move(1 / HERTZ)
             self._odometry.publish(self._odometry_of(forward))
-            if tick % HERTZ == 0:
+            if step % HERTZ == 0:
                 self._amcl.publish(self._placed())
-            if tick % 4 == 0:
+            if step % 4 == 0:
                 self._scan.publish(sweep())
                 self._camera.publish(CompressedImage(format="jpeg", data=self._picture))
                 self._battery.publish(BatteryState(percentage=0.83))
-            tick += 1
+            step += 1
             rate.sleep()
 
     def _move(self, seconds: float) -> float:
@@ -126,9 +126,9 @@ def room() -> Any:
     return grid
 
 
-def tell(what: str, **more: object) -> None:
+def print_order(what: str, **more: object) -> None:
     print(json.dumps({"what": what, **more}), flush=True)
 
 
 if __name__ == "__main__":
-    Machine(Path(sys.argv[1]).read_bytes()).run()
+    SimulatedRobot(Path(sys.argv[1]).read_bytes()).run()

@@ -16,7 +16,7 @@ from .dtls import DtlsClient
 PATIENCE = 0.2
 
 
-class Carrier(Protocol):
+class FrameLink(Protocol):
     """One link; `receive` gives what the server sent, or nothing after a short wait."""
 
     def send(self, frame: bytes) -> None: ...
@@ -26,7 +26,7 @@ class Carrier(Protocol):
     def close(self) -> None: ...
 
 
-class WebSocketCaller:
+class WebSocketLink:
     """A vehicle that opens a WebSocket to the server."""
 
     def __init__(self, port: int, host: str = "127.0.0.1", path: str = "/mavlink") -> None:
@@ -47,7 +47,7 @@ class WebSocketCaller:
         self._socket.close()
 
 
-class OpenSsl:
+class OpenSslDtlsLink:
     """OpenSSL's own client as the vehicle's end of a DTLS link."""
 
     def __init__(self, port: int, identity: str, secret: str, log: Path) -> None:
@@ -81,7 +81,7 @@ class OpenSsl:
         self._process.wait()
 
 
-class Dtls:
+class DtlsLink:
     """A DTLS link with a connection id."""
 
     def __init__(self, port: int, identity: str, secret: str) -> None:
@@ -98,10 +98,10 @@ class Dtls:
 
 
 class Bridge:
-    """A simulated vehicle's UDP on one side, a carrier on the other."""
+    """Connects a simulated vehicle's UDP with a frame link."""
 
-    def __init__(self, carrier: Carrier) -> None:
-        self.carrier = carrier
+    def __init__(self, link: FrameLink) -> None:
+        self.link = link
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self._socket.bind(("127.0.0.1", 0))
         self._socket.settimeout(PATIENCE)
@@ -116,7 +116,7 @@ class Bridge:
         while not self._closed:
             try:
                 frame, self._vehicle = self._socket.recvfrom(65535)
-                self.carrier.send(frame)
+                self.link.send(frame)
             except (TimeoutError, OSError, ConnectionClosed):
                 # A link may break and come back; the vehicle goes on talking.
                 continue
@@ -124,7 +124,7 @@ class Bridge:
     def _down(self) -> None:
         while not self._closed:
             try:
-                data = self.carrier.receive()
+                data = self.link.receive()
             except (OSError, ConnectionClosed):
                 continue
             if data and self._vehicle is not None:
@@ -134,5 +134,5 @@ class Bridge:
         self._closed = True
         for thread in self._threads:
             thread.join()
-        self.carrier.close()
+        self.link.close()
         self._socket.close()

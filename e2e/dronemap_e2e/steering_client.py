@@ -1,4 +1,4 @@
-"""Whoever holds a stick."""
+"""A client that steers one drone over the stream."""
 
 import json
 import threading
@@ -9,8 +9,8 @@ from websockets.sync.client import ClientConnection, connect
 from .server import Server
 
 
-class Helm:
-    """Steers as the page does, ten times a second; once cut, it says nothing and closes nothing."""
+class SteeringClient:
+    """Steers as the page does, ten times a second; once cut, it sends nothing and closes nothing."""
 
     def __init__(
         self,
@@ -52,7 +52,7 @@ class Helm:
         self._thread.join()
 
     def kill(self) -> None:
-        """As an operating system ends a program: its connection breaks without a word."""
+        """Ends as a killed program does: its connection breaks without a close."""
         self.cut()
         self._stream.socket.close()
 

@@ -1,10 +1,10 @@
-"""How near vehicles come to each other on their way down, by what each says of itself on the wire."""
+"""Measures how near vehicles come to each other in the air, by their own reports on the wire."""
 
 import math
 from dataclasses import dataclass
 from itertools import combinations
 
-from .overheard import Log
+from .datagram_recorder import Log
 
 BESIDE_METRES, ABOVE_METRES = 10.0, 5.0
 IN_THE_AIR_METRES = 2.0
@@ -34,19 +34,19 @@ class Nearest:
 def fixes(log: Log, since: float) -> list[Fix]:
     return [
         Fix(
-            said.at,
-            said.message.lat / 1e7,
-            said.message.lon / 1e7,
-            said.message.alt / 1000,
-            said.message.relative_alt / 1000,
+            timed.at,
+            timed.message.lat / 1e7,
+            timed.message.lon / 1e7,
+            timed.message.alt / 1000,
+            timed.message.relative_alt / 1000,
         )
-        for said in log.up
-        if said.kind == "GLOBAL_POSITION_INT" and said.at >= since
+        for timed in log.up
+        if timed.kind == "GLOBAL_POSITION_INT" and timed.at >= since
     ]
 
 
 def nearest(tracks: dict[int, list[Fix]], since: float, until: float) -> Nearest:
-    """Of any two that are in the air at the same moment."""
+    """The nearest two that are in the air at the same moment."""
     found = Nearest(math.inf, "no two were in the air")
     moment = since
     newest = dict.fromkeys(tracks, 0)

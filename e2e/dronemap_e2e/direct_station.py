@@ -13,7 +13,7 @@ PATIENCE = 2.0
 TRIES = 20
 
 
-class PluggedStation:
+class DirectStation:
     """Asks with pymavlink, past the bad link and past the server."""
 
     def __init__(self, link: Impairer, system_id: int) -> None:
@@ -22,24 +22,28 @@ class PluggedStation:
         self._mavlink: Any = mavlink.MAVLink(self, srcSystem=SYSTEM, srcComponent=190)
         self._parser: Any = mavlink.MAVLink(None)
         self._parser.robust_parsing = True
-        self._heard: queue.Queue[Any] = queue.Queue()
-        link.overhear = self._overhear
+        self._received: queue.Queue[Any] = queue.Queue()
+        link.on_datagram = self._on_datagram
 
     def write(self, data: bytes) -> None:
         """pymavlink sends through this."""
-        self._link.say(data)
+        self._link.send_to_vehicles(data)
 
     def parameters(self) -> dict[str, tuple[float, int]]:
-        """Name to value and type, as the vehicle tells them: bits stay bits."""
+        """Name to value and type, as the vehicle sends them: bits stay bits."""
         self._forget()
         found: dict[int, tuple[str, float, int]] = {}
         count = -1
         self._mavlink.param_request_list_send(self._vehicle, 1)
         for _ in range(TRIES):
-            while (heard := self._next("PARAM_VALUE")) is not None:
-                if heard.param_index < heard.param_count:
-                    count = heard.param_count
-                    found[heard.param_index] = (heard.param_id, heard.param_value, heard.param_type)
+            while (received := self._next("PARAM_VALUE")) is not None:
+                if received.param_index < received.param_count:
+                    count = received.param_count
+                    found[received.param_index] = (
+                        received.param_id,
+                        received.param_value,
+                        received.param_type,
+                    )
                 if len(found) == count:
                     return {name: (value, kind) for name, value, kind in found.values()}
             for index in set(range(max(0, count))) - set(found):
@@ -56,14 +60,14 @@ class PluggedStation:
 
     def home(self) -> tuple[int, int, int]:
         """Latitude and longitude in degrees times 1e7, altitude in millimetres above sea level."""
-        told = self._ask(
+        home = self._ask(
             lambda: self._mavlink.command_long_send(
                 self._vehicle, 1, mavlink.MAV_CMD_REQUEST_MESSAGE, 0, 242, 0, 0, 0, 0, 0, 0
             ),
             lambda m: m.get_type() == "HOME_POSITION",
             addressed=False,
         )
-        return told.latitude, told.longitude, told.altitude
+        return home.latitude, home.longitude, home.altitude
 
     def _item(self, seq: int, kind: int) -> Any:
         return self._ask(
@@ -77,30 +81,30 @@ class PluggedStation:
             question()
             until = time.monotonic() + PATIENCE
             while time.monotonic() < until:
-                heard = self._next()
-                if heard is None or not is_answer(heard):
+                received = self._next()
+                if received is None or not is_answer(received):
                     continue
-                if not addressed or heard.target_system in (0, SYSTEM):
-                    return heard
+                if not addressed or received.target_system in (0, SYSTEM):
+                    return received
         raise AssertionError("the vehicle does not answer the station that is plugged into it")
 
     def _forget(self) -> None:
-        """What was said before the question is no answer to it."""
-        while not self._heard.empty():
-            self._heard.get_nowait()
+        """Drops what was received before the question."""
+        while not self._received.empty():
+            self._received.get_nowait()
 
     def _next(self, kind: str | None = None) -> Any | None:
         until = time.monotonic() + PATIENCE
         while (left := until - time.monotonic()) > 0:
             try:
-                message = self._heard.get(timeout=left)
+                message = self._received.get(timeout=left)
             except queue.Empty:
                 return None
             if kind is None or message.get_type() == kind:
                 return message
         return None
 
-    def _overhear(self, data: bytes) -> None:
+    def _on_datagram(self, data: bytes) -> None:
         for message in self._parser.parse_buffer(data) or []:
             if message.get_srcSystem() == self._vehicle:
-                self._heard.put(message)
+                self._received.put(message)

@@ -4,7 +4,7 @@ import ipaddress
 from typing import NamedTuple
 
 
-class Place(NamedTuple):
+class Address(NamedTuple):
     """A host and a port; `stream`: by TCP."""
 
     host: str
@@ -16,8 +16,8 @@ class Place(NamedTuple):
         return f"{'tcp' if self.stream else 'udp'}:{host}:{self.port}"
 
 
-def parsed(text: str) -> Place:
-    """HOST:PORT or [HOST]:PORT, after udp: or tcp: if that is said."""
+def parse_address(text: str) -> Address:
+    """HOST:PORT or [HOST]:PORT, after an optional udp: or tcp:."""
     kind, colon, rest = text.partition(":")
     if kind not in ("udp", "tcp") or not colon:
         kind, rest = "udp", text
@@ -25,20 +25,20 @@ def parsed(text: str) -> Place:
     host = host.removeprefix("[").removesuffix("]")
     if not host or not port.isdecimal() or not 0 < int(port) < 65_536:
         raise ValueError(f"{text} is no address; write udp:HOST:PORT or tcp:HOST:PORT")
-    return Place(host, int(port), kind == "tcp")
+    return Address(host, int(port), kind == "tcp")
 
 
-def parsed_own(text: str) -> Place:
+def parse_local_address(text: str) -> Address:
     """An address of this machine alone: whoever reaches the tool's side acts in the name of the user."""
-    place = parsed(text)
-    if place.stream:
+    address = parse_address(text)
+    if address.stream:
         raise ValueError(f"{text}: tools are spoken to by udp")
     try:
-        own = ipaddress.ip_address(place.host).is_loopback
+        own = ipaddress.ip_address(address.host).is_loopback
     except ValueError:
-        own = place.host == "localhost"
+        own = address.host == "localhost"
     if not own:
         raise ValueError(
             f"{text} is not only this machine's: whoever reached it would act in your name; use 127.0.0.1"
         )
-    return place._replace(host="127.0.0.1") if place.host == "localhost" else place
+    return address._replace(host="127.0.0.1") if address.host == "localhost" else address

@@ -1,4 +1,4 @@
-"""Phones that stand still, each followed by a simulated copter; what every face and the wire say of it."""
+"""Phones that stand still, each followed by a simulated copter; the follow by each face and on the wire."""
 
 import json
 import time
@@ -11,9 +11,9 @@ from websockets.sync.client import connect
 
 from .api import Api, Json
 from .flight import ARMED, COPTER_RTL, Point
+from .message_recorder import MessageRecorder, RecordedMessage
 from .server import Server
 from .soap import soap
-from .tap import Heard, Tap
 from .waiting import wait_for
 from .walker import beside
 
@@ -26,7 +26,7 @@ STREAM_SECONDS = 20
 
 
 @dataclass
-class Followed:
+class FollowedPhone:
     """A phone, and the follow that is about it."""
 
     system_id: int
@@ -34,10 +34,10 @@ class Followed:
     height: float
     patience: int
     follow: str = ""
-    speaks: bool = True
+    sends_positions: bool = True
     # Somebody at the vehicle flies it by sticks.
     piloted: bool = False
-    said: float = 0.0
+    sent_at: float = 0.0
     east: float = 0.0
     north: float = 40.0
     # The stages that it was seen at, each once until the next one.
@@ -49,10 +49,10 @@ class Followed:
 
     @property
     def place(self) -> Point:
-        """Where its drone is wanted."""
+        """The place at which its drone is to be."""
         return beside(self.drone["home"], self.east, self.north - DISTANCE)
 
-    def ask(self, api: Api) -> None:
+    def request_follow(self, api: Api) -> None:
         order = {
             "latitude": self.phone.latitude,
             "longitude": self.phone.longitude,
@@ -64,118 +64,118 @@ class Followed:
         assert answer.status_code == 201, answer.text
         self.follow = answer.json()["id"]
 
-    def wish(self, api: Api, what: str) -> None:
+    def request(self, api: Api, what: str) -> None:
         answer = api.call("POST", f"/follows/{self.follow}/{what}")
         assert answer.ok, answer.text
 
-    def say(self, api: Api) -> None:
-        """Once a second; who is no longer followed has nothing to say."""
+    def send_position(self, api: Api) -> None:
+        """Sends its position, once a second, as long as it is followed."""
         now = time.time()
-        if not self.speaks or now - self.said < 1:
+        if not self.sends_positions or now - self.sent_at < 1:
             return
-        self.said = now
+        self.sent_at = now
         at = datetime.fromtimestamp(now, UTC).isoformat()
         here = {"at": at, "latitude": self.phone.latitude, "longitude": self.phone.longitude, "accuracy": 4}
         answer = api.call("POST", f"/follows/{self.follow}/positions", {"sent": at, "positions": [here]})
         assert answer.ok or answer.status_code == 409, answer.text
 
-    def saw(self, stage: str) -> None:
+    def record_stage(self, stage: str) -> None:
         if not self.stages or self.stages[-1] != stage:
             self.stages.append(stage)
 
 
-class Truth:
-    """What vehicles themselves say, whether or not anybody listens."""
+class ReportedState:
+    """State of vehicles by their own messages, also while no server listens."""
 
     KINDS = ("GLOBAL_POSITION_INT", "HEARTBEAT", "COMMAND_LONG", "COMMAND_INT")
 
-    def __init__(self, tap: Tap) -> None:
-        self._tap = tap
+    def __init__(self, recorder: MessageRecorder) -> None:
+        self._recorder = recorder
 
-    def mode(self, one: Followed) -> int:
+    def mode(self, one: FollowedPhone) -> int:
         return int(self._last("HEARTBEAT", one).message.custom_mode)
 
-    def armed(self, one: Followed) -> bool:
+    def armed(self, one: FollowedPhone) -> bool:
         return bool(self._last("HEARTBEAT", one).message.base_mode & ARMED)
 
-    def told_to_take_off(self, one: Followed) -> bool:
+    def take_off_commanded(self, one: FollowedPhone) -> bool:
         return any(
-            heard.message.command == TAKE_OFF and heard.message.target_system == one.system_id
-            for heard in self._tap.heard("COMMAND_LONG", "COMMAND_INT", up=False)
+            recorded.message.command == TAKE_OFF and recorded.message.target_system == one.system_id
+            for recorded in self._recorder.messages("COMMAND_LONG", "COMMAND_INT", up=False)
         )
 
-    def height(self, one: Followed) -> float:
+    def height(self, one: FollowedPhone) -> float:
         return float(self._last("GLOBAL_POSITION_INT", one).message.relative_alt) / 1000
 
-    def metres_to(self, one: Followed, there: Point) -> float:
-        said = self._last("GLOBAL_POSITION_INT", one).message
-        return there.metres_to(said.lat / 1e7, said.lon / 1e7)
+    def metres_to(self, one: FollowedPhone, there: Point) -> float:
+        message = self._last("GLOBAL_POSITION_INT", one).message
+        return there.metres_to(message.lat / 1e7, message.lon / 1e7)
 
-    def strayed(self, one: Followed, since: float) -> float:
+    def distance_moved(self, one: FollowedPhone, since: float) -> float:
         """Metres from where it was at that moment (monotonic s), at most."""
         track = [h.message for h in self._of("GLOBAL_POSITION_INT", one) if h.at >= since]
         first = Point(track[0].lat / 1e7, track[0].lon / 1e7, 0)
-        return max(first.metres_to(said.lat / 1e7, said.lon / 1e7) for said in track)
+        return max(first.metres_to(message.lat / 1e7, message.lon / 1e7) for message in track)
 
-    def _last(self, kind: str, one: Followed) -> Heard:
+    def _last(self, kind: str, one: FollowedPhone) -> RecordedMessage:
         return self._of(kind, one)[-1]
 
-    def _of(self, kind: str, one: Followed) -> list[Heard]:
+    def _of(self, kind: str, one: FollowedPhone) -> list[RecordedMessage]:
         return [
-            heard
-            for heard in self._tap.heard(kind, up=True)
-            if heard.message.get_srcSystem() == one.system_id and heard.message.get_srcComponent() == 1
+            recorded
+            for recorded in self._recorder.messages(kind, up=True)
+            if recorded.message.get_srcSystem() == one.system_id and recorded.message.get_srcComponent() == 1
         ]
 
 
-class Crowd:
-    """All of them; while somebody waits for something, those who can say where they are."""
+class FollowGroup:
+    """All followed phones; while a test waits, they send their positions."""
 
-    def __init__(self, everybody: Iterable[Followed], truth: Truth) -> None:
-        self.everybody = list(everybody)
-        self.truth = truth
+    def __init__(self, phones: Iterable[FollowedPhone], reported: ReportedState) -> None:
+        self.phones = list(phones)
+        self.reported = reported
 
-    def until(self, api: Api, what: str, condition: Callable[[], object], seconds: float) -> None:
+    def wait_until(self, api: Api, what: str, condition: Callable[[], object], seconds: float) -> None:
         def looked() -> object:
-            for one in self.everybody:
-                one.say(api)
-            for follow in self.seen(api).values():
-                self.of(follow["id"]).saw(follow["state"])
+            for one in self.phones:
+                one.send_position(api)
+            for follow in self.follows_by_id(api).values():
+                self.of(follow["id"]).record_stage(follow["state"])
             return condition()
 
         wait_for(what, looked, seconds, every=0.2)
 
-    def of(self, follow: str) -> Followed:
-        return next(one for one in self.everybody if one.follow == follow)
+    def of(self, follow: str) -> FollowedPhone:
+        return next(one for one in self.phones if one.follow == follow)
 
-    def seen(self, api: Api) -> dict[str, Json]:
-        """As REST tells them, by id."""
-        mine = {one.follow for one in self.everybody}
+    def follows_by_id(self, api: Api) -> dict[str, Json]:
+        """The group's follows in REST, by id."""
+        mine = {one.follow for one in self.phones}
         return {one["id"]: one for one in api.get("/follows")["follows"] if one["id"] in mine}
 
-    def uncared(self, api: Api) -> list[str]:
+    def unattended(self, api: Api) -> list[str]:
         """Drones that nobody has, and that neither go home nor stand on the ground nor are waited for."""
-        told = self.seen(api)
+        follows = self.follows_by_id(api)
         drones = {drone["id"]: drone for drone in api.drones()}
         return [
-            f"{one.system_id}: {told[one.follow]['state']}, {drones[one.drone['id']]['control']}"
-            for one in self.everybody
+            f"{one.system_id}: {follows[one.follow]['state']}, {drones[one.drone['id']]['control']}"
+            for one in self.phones
             if drones[one.drone["id"]]["control"]["state"] == "free"
             and not one.piloted
-            and self.truth.armed(one)
-            and self.truth.mode(one) not in HOMEWARD
-            and not (told[one.follow]["note"] or "").startswith("Nobody has")
+            and self.reported.armed(one)
+            and self.reported.mode(one) not in HOMEWARD
+            and not (follows[one.follow]["note"] or "").startswith("Nobody has")
         ]
 
 
-def by_soap(server: Server, key: str, follows: Iterable[str]) -> dict[str, str]:
+def stages_by_soap(server: Server, key: str, follows: Iterable[str]) -> dict[str, str]:
     """Each one's stage."""
     service = soap(server, key, "FollowerService")
     return {follow: service.getFollow(followId=follow).state for follow in follows}
 
 
-def by_stream(server: Server, key: str, follows: Iterable[str]) -> dict[str, str]:
-    """Each one's stage, as told to who has just connected."""
+def stages_by_stream(server: Server, key: str, follows: Iterable[str]) -> dict[str, str]:
+    """Each one's stage, as the stream sends it after a connect."""
     wanted = set(follows)
     found: dict[str, str] = {}
     with connect(server.stream_address, additional_headers={"Authorization": f"Bearer {key}"}) as stream:
