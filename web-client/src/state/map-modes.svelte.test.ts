@@ -60,10 +60,10 @@ describe('each use of the map', () => {
   });
 
   it.each(MAP_MODES.map((mode) => [mode.name]))('%s takes the place of where a drone was to go', (name) => {
-    station.desk.aim('d1', HERE);
+    station.view.setTarget('d1', HERE);
     BEGIN[name]?.();
     flushSync();
-    expect(station.desk.target).toBeNull();
+    expect(station.view.target).toBeNull();
   });
 });
 
@@ -80,7 +80,7 @@ describe('planning', () => {
   });
 
   it('ends when the mission of its drone is started', () => {
-    station.desk.select('d1');
+    station.view.select('d1');
     station.planner.begin('d1');
     flushSync();
     expect(station.planner.droneId).toBe('d1');
@@ -94,10 +94,10 @@ describe('planning', () => {
   });
 
   it('ends when another drone is chosen', () => {
-    station.desk.select('d1');
+    station.view.select('d1');
     station.planner.begin('d1');
     flushSync();
-    station.desk.select('d2');
+    station.view.select('d2');
     flushSync();
     expect(station.planner.droneId).toBeNull();
   });
@@ -121,13 +121,13 @@ describe('the place where a waypoint is to be moved to', () => {
 describe('the place where a drone is to go', () => {
   it('is meant no more when it has landed', () => {
     station.fleet.replaceAll([aDrone({ flight: 'inAir' })]);
-    station.desk.select('d1');
-    station.desk.aim('d1', HERE);
+    station.view.select('d1');
+    station.view.setTarget('d1', HERE);
     flushSync();
-    expect(station.desk.target).not.toBeNull();
+    expect(station.view.target).not.toBeNull();
     station.fleet.replaceAll([aDrone({ flight: 'onGround' })]);
     flushSync();
-    expect(station.desk.target).toBeNull();
+    expect(station.view.target).toBeNull();
   });
 });
 

@@ -7,7 +7,7 @@ import { FLEET_DRAFT } from './tours.svelte';
 
 type Part = Pick<
   Station,
-  'desk' | 'planner' | 'runs' | 'selected' | 'session' | 'tours' | 'virtuals' | 'zones'
+  'view' | 'planner' | 'runs' | 'selected' | 'session' | 'tours' | 'virtuals' | 'zones'
 >;
 
 /** A use of the map in which a click means more than a look. */
@@ -64,7 +64,7 @@ function whenever(condition: () => boolean, begun: () => void): void {
 
 /** Ends each use of the map when what it was for is over. For the time of a component. */
 export function keepMapModes(station: Part): void {
-  const { desk, planner, runs, tours, virtuals, zones } = station;
+  const { view, planner, runs, tours, virtuals, zones } = station;
   const endAll = (): void => MAP_MODES.forEach((mode) => mode.end(station));
 
   // What is flown now is looked at: a forgotten draft must not take the clicks, nor lie over it.
@@ -80,7 +80,7 @@ export function keepMapModes(station: Part): void {
   );
   whenever(
     () => station.selected?.mission?.running === true,
-    () => planner.droneId === desk.selectedId && planner.stop(),
+    () => planner.droneId === view.selectedId && planner.stop(),
   );
   whenever(
     () => virtuals.find(planner.droneId)?.actions.plan.allowed === false,
@@ -90,8 +90,8 @@ export function keepMapModes(station: Part): void {
   // Planning belongs to the chosen drone: another choice leaves the editor, the draft stays.
   $effect(() => {
     const noDrone = planner.droneId === FLEET_DRAFT || virtuals.find(planner.droneId) !== null;
-    const other = noDrone && desk.selectedId === null;
-    if (planner.droneId !== null && planner.droneId !== desk.selectedId && !other) {
+    const other = noDrone && view.selectedId === null;
+    if (planner.droneId !== null && planner.droneId !== view.selectedId && !other) {
       planner.stop();
     }
   });
@@ -105,7 +105,7 @@ export function keepMapModes(station: Part): void {
   });
 
   $effect(() => {
-    if (planner.droneId !== null || zones.draft !== null || desk.selectedId !== null) {
+    if (planner.droneId !== null || zones.draft !== null || view.selectedId !== null) {
       runs.lay();
     }
   });
@@ -113,11 +113,11 @@ export function keepMapModes(station: Part): void {
   // The place where a drone was to go is no longer meant when it has landed, or when the map is used for something else.
   whenever(
     () => station.selected?.flight === 'onGround',
-    () => (desk.target = null),
+    () => (view.target = null),
   );
   whenever(
     () => mapMode(station) !== null,
-    () => (desk.target = null),
+    () => (view.target = null),
   );
 
   $effect(() => {

@@ -9,7 +9,7 @@ import { CloudClock } from './clock.svelte';
 import { Commands } from './commands.svelte';
 import { Connection } from './connection.svelte';
 import { Controls } from './controls.svelte';
-import { Desk } from './desk.svelte';
+import { ViewState } from './view-state.svelte';
 import { Directory } from './directory.svelte';
 import { Fleet } from './fleet.svelte';
 import { Follows } from './follows.svelte';
@@ -46,7 +46,7 @@ export class Station {
     }
   });
   readonly controls = new Controls(this.rest.control);
-  readonly desk = new Desk();
+  readonly view = new ViewState();
   readonly directory = new Directory(this.rest);
   readonly preferences = new Preferences();
   readonly zones = new Zones(this.rest.zones);
@@ -59,7 +59,7 @@ export class Station {
   /** Why nobody is signed in any more, when that was not their wish. */
   signedOut = $state.raw<string | null>(null);
   settings = $state.raw<Settings | null>(null);
-  selected = $derived<Drone | null>(this.fleet.find(this.desk.selectedId));
+  selected = $derived<Drone | null>(this.fleet.find(this.view.selectedId));
   readonly #stream = new StreamClient(
     { address: () => this.#streamAddress(), open: openSocket, timers: browserTimers },
     {
@@ -200,8 +200,8 @@ export class Station {
     const { directory, fleet, controls, zones, virtuals, tours, runs, follows } = this;
     [directory, fleet, controls, zones, virtuals, tours, runs, follows].forEach((shelf) => shelf.clear());
     this.planner.stop();
-    this.desk.deselect();
-    this.desk.page = 'map';
+    this.view.deselect();
+    this.view.page = 'map';
   }
 
   #streamUp(): void {

@@ -73,7 +73,7 @@ const mapSays = (): string => JSON.stringify(shown.drones);
 describe('a page whose line to the cloud is cut', () => {
   it('says so, shows all of it as old with its age, and commands nothing', async () => {
     const station = aStation();
-    station.desk.select('d1');
+    station.view.select('d1');
     await show(station);
     expect(body().classList.contains('stale')).toBe(false);
     expect(mapSays()).toContain('"opacity":1');
@@ -103,7 +103,7 @@ describe('a page whose line to the cloud is cut', () => {
 
   it('is as before at once when the line is back', async () => {
     const station = aStation();
-    station.desk.select('d1');
+    station.view.select('d1');
     await show(station);
     station.connection.down();
     flushSync();

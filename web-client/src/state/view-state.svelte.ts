@@ -3,32 +3,32 @@ import type { Coordinates } from '../geo/coordinates';
 export type Page = 'map' | 'flights' | 'administration';
 export type SheetHeight = 'low' | 'half' | 'full';
 
-/** Where the chosen drone is asked to go, before anybody has confirmed it. */
+/** The place that the selected drone is to go to, until somebody confirms it. */
 export interface Target extends Coordinates {
   droneId: string;
 }
 
-/** What lies on the desk: the chosen drone, the open page, the go-to mark, the help. */
-export class Desk {
+/** What the page shows: the selected drone, the open page, the target of a go-to, the help. */
+export class ViewState {
   page = $state<Page>('map');
   selectedId = $state<string | null>(null);
-  /** Rises with each choice, so that choosing the same drone again brings the map back to it. */
-  flights = $state(0);
+  /** Rises with each selection, so that selecting the same drone again brings the map back to it. */
+  selections = $state(0);
   target = $state.raw<Target | null>(null);
-  /** A place that somebody asked to see; the map goes there. */
-  sight = $state.raw<Coordinates | null>(null);
-  /** Some metres apart: the map shows them as near as it takes to tell them apart. */
-  together = $state.raw<readonly Coordinates[]>([]);
+  /** The place that the map is to show. */
+  shownPlace = $state.raw<Coordinates | null>(null);
+  /** Places that the map is to show together, near enough to tell them apart. */
+  shownPlaces = $state.raw<readonly Coordinates[]>([]);
   helpOpen = $state(false);
   fleetOpen = $state(true);
   sheet = $state<SheetHeight>('half');
-  /** The drone was chosen by keyboard: its panel takes the focus when it appears. */
+  /** The drone was selected by keyboard: its panel takes the focus when it appears. */
   focusPanel = $state(false);
 
   select(id: string, byKeyboard = false): void {
     this.selectedId = id;
     this.focusPanel = byKeyboard;
-    this.flights += 1;
+    this.selections += 1;
     this.page = 'map';
     this.sheet = 'half';
     if (this.target?.droneId !== id) {
@@ -42,12 +42,12 @@ export class Desk {
     this.sheet = 'half';
   }
 
-  lookAt({ latitude, longitude }: Coordinates): void {
-    this.sight = { latitude, longitude };
+  showPlace({ latitude, longitude }: Coordinates): void {
+    this.shownPlace = { latitude, longitude };
     this.sheet = 'low';
   }
 
-  aim(droneId: string, place: Coordinates): void {
+  setTarget(droneId: string, place: Coordinates): void {
     this.target = { droneId, latitude: place.latitude, longitude: place.longitude };
     // On the phone the card beside the place needs the map's room.
     this.sheet = 'low';
