@@ -3,7 +3,7 @@ import { afterEach, describe, expect, it, vi } from 'vitest';
 import type { Prospect } from '../api/virtual';
 import { STATION, Station } from '../state/station.svelte';
 import { aCommand, aDrone, anAction } from '../testing';
-import ControlLine from './ControlLine.svelte';
+import ControlLease from './ControlLease.svelte';
 import EmergencyStop from './EmergencyStop.svelte';
 import FlightControls from './FlightControls.svelte';
 import Warehouse from './Warehouse.svelte';
@@ -75,12 +75,12 @@ describe('giving back control of a drone of the warehouse', () => {
   it('says what it takes off for, and asks', async () => {
     const station = aStation();
     station.virtuals.warehouse = [{ id: 'd1', name: 'Copter 1' }];
-    station.controls.kept = new Map([['d1', 7]]);
+    station.leases.held = new Map([['d1', 7]]);
     vi.spyOn(station.rest.virtuals, 'prospects').mockResolvedValue({ inWarehouse: true, waiting: [ROOFS] });
-    const release = vi.spyOn(station.controls, 'release').mockResolvedValue();
+    const release = vi.spyOn(station.leases, 'release').mockResolvedValue();
     const control = { state: 'held', holder: 'ann', explicit: true, epoch: 7, since: null, requests: [] };
     const drone = aDrone({ control: control as never });
-    render(ControlLine, { props: { drone }, context: context(station) });
+    render(ControlLease, { props: { drone }, context: context(station) });
     await fireEvent.click(screen.getByRole('button', { name: 'Give back' }));
     expect(await screen.findByText(/arms and takes off at once/)).toBeDefined();
     expect(release).not.toHaveBeenCalled();

@@ -8,7 +8,7 @@ import type { CommandKind, Drone, Settings, StreamMessage } from '../api/types';
 import { CloudClock } from './clock.svelte';
 import { Commands } from './commands.svelte';
 import { Connection } from './connection.svelte';
-import { Controls } from './controls.svelte';
+import { ControlLeases } from './control-leases.svelte';
 import { ViewState } from './view-state.svelte';
 import { Directory } from './directory.svelte';
 import { Fleet } from './fleet.svelte';
@@ -45,7 +45,7 @@ export class Station {
       this.planner.becameTrue(attempt.drone);
     }
   });
-  readonly controls = new Controls(this.rest.control);
+  readonly leases = new ControlLeases(this.rest.control);
   readonly view = new ViewState();
   readonly directory = new Directory(this.rest);
   readonly preferences = new Preferences();
@@ -75,7 +75,7 @@ export class Station {
   readonly #questions = new Questions<Receipt>();
   readonly #lines = new SteeringLines(
     (request) => this.#stream.say(request),
-    (drone) => this.controls.kept.get(drone),
+    (drone) => this.leases.held.get(drone),
   );
 
   /** Asks who is signed in. Rejects when the cloud cannot be reached. */
@@ -83,7 +83,7 @@ export class Station {
     setInterval(() => {
       this.clock.tick();
       this.connection.tick();
-      this.controls.beat();
+      this.leases.sendHeartbeats();
     }, 1000);
     await this.resume();
   }
@@ -159,14 +159,14 @@ export class Station {
   /** Why this page cannot give that command now, or null; the cloud's own reasons come with each action. */
   whyNoCommand(drone: Drone, type: CommandKind): string | null {
     const supervisor = mayAct(this.session?.role, 'supervisor');
-    return this.whyNoLine ?? this.controls.whyNot(drone, type, this.session?.name, supervisor);
+    return this.whyNoLine ?? this.leases.whyNot(drone, type, this.session?.name, supervisor);
   }
 
   /** Commands under the control that this window keeps say so: they are refused when it has ended meanwhile. */
   #signed(): Pick<RestClient, 'sendCommand' | 'command' | 'commandsOf'> {
     return {
       sendCommand: (drone, request) => {
-        const epoch = this.controls.kept.get(drone);
+        const epoch = this.leases.held.get(drone);
         return this.rest.sendCommand(drone, epoch === undefined ? request : { ...request, epoch });
       },
       command: (id) => this.rest.command(id),
@@ -197,8 +197,8 @@ export class Station {
     this.#stream.stop();
     this.signedOut = why;
     this.session = null;
-    const { directory, fleet, controls, zones, virtuals, tours, runs, follows } = this;
-    [directory, fleet, controls, zones, virtuals, tours, runs, follows].forEach((shelf) => shelf.clear());
+    const { directory, fleet, leases, zones, virtuals, tours, runs, follows } = this;
+    [directory, fleet, leases, zones, virtuals, tours, runs, follows].forEach((shelf) => shelf.clear());
     this.planner.stop();
     this.view.deselect();
     this.view.page = 'map';
@@ -229,7 +229,7 @@ export class Station {
 
   #hear(message: StreamMessage): void {
     this.connection.heard();
-    this.controls.beat();
+    this.leases.sendHeartbeats();
     switch (message.type) {
       case 'hello':
         this.#roleIs(message.role);

@@ -2,9 +2,9 @@ import { describe, expect, it, vi } from 'vitest';
 import type { Control } from '../api/control';
 import { Problem } from '../api/problem';
 import { aDrone } from '../testing';
-import { Controls, HEARTBEAT_MILLISECONDS } from './controls.svelte';
+import { ControlLeases, HEARTBEAT_MILLISECONDS } from './control-leases.svelte';
 
-type Port = ConstructorParameters<typeof Controls>[0];
+type Port = ConstructorParameters<typeof ControlLeases>[0];
 
 function held(change: Partial<Control> = {}): Control {
   return {
@@ -30,18 +30,18 @@ function controls(port: Partial<Port> = {}) {
     heartbeat,
     ...port,
   };
-  return { controls: new Controls(whole, () => now), heartbeat, later: (ms: number) => (now += ms) };
+  return { controls: new ControlLeases(whole, () => now), heartbeat, later: (ms: number) => (now += ms) };
 }
 
 describe('controls', () => {
   it('sends a heartbeat every two seconds for each drone that it keeps, however often it is asked', async () => {
     const { controls: mine, heartbeat, later } = controls();
-    mine.beat();
+    mine.sendHeartbeats();
     expect(heartbeat).not.toHaveBeenCalled();
 
     await mine.take('d1');
     for (let i = 0; i < 40; i++) {
-      mine.beat();
+      mine.sendHeartbeats();
       later(HEARTBEAT_MILLISECONDS / 10);
     }
 
@@ -53,9 +53,9 @@ describe('controls', () => {
     const heartbeat = vi.fn(async () => held({ epoch: 9 }));
     const { controls: mine } = controls({ heartbeat });
     await mine.take('d1');
-    mine.beat();
+    mine.sendHeartbeats();
 
-    await vi.waitFor(() => expect(mine.kept.get('d1')).toBe(9));
+    await vi.waitFor(() => expect(mine.held.get('d1')).toBe(9));
   });
 
   it('stops when somebody else has control, but not for a line that is down', async () => {
@@ -63,15 +63,15 @@ describe('controls', () => {
     const heartbeat = vi.fn(() => Promise.reject(answers.shift() ?? new Error('asked again')));
     const { controls: mine, later } = controls({ heartbeat });
     await mine.take('d1');
-    mine.beat();
+    mine.sendHeartbeats();
     await vi.waitFor(() => expect(heartbeat).toHaveBeenCalledTimes(1));
-    expect(mine.kept.has('d1')).toBe(true);
+    expect(mine.held.has('d1')).toBe(true);
 
     later(HEARTBEAT_MILLISECONDS);
-    mine.beat();
-    await vi.waitFor(() => expect(mine.kept.has('d1')).toBe(false));
+    mine.sendHeartbeats();
+    await vi.waitFor(() => expect(mine.held.has('d1')).toBe(false));
     later(HEARTBEAT_MILLISECONDS);
-    mine.beat();
+    mine.sendHeartbeats();
     expect(heartbeat).toHaveBeenCalledTimes(2);
   });
 
@@ -79,12 +79,14 @@ describe('controls', () => {
     const { controls: mine } = controls();
     await mine.take('d1');
 
-    expect(mine.standing(aDrone(), 'olga')).toBe('free');
-    expect(mine.standing(aDrone({ control: held() }), 'olga')).toBe('here');
-    expect(mine.standing(aDrone({ control: held({ epoch: 9 }) }), 'olga')).toBe('elsewhere');
-    expect(mine.standing(aDrone({ control: held({ explicit: false }) }), 'olga')).toBe('implicit');
-    expect(mine.standing(aDrone({ control: held() }), 'bob')).toBe('other');
-    expect(mine.standing(aDrone({ control: held({ state: 'pilot', holder: null }) }), 'olga')).toBe('pilot');
+    expect(mine.leaseState(aDrone(), 'olga')).toBe('free');
+    expect(mine.leaseState(aDrone({ control: held() }), 'olga')).toBe('here');
+    expect(mine.leaseState(aDrone({ control: held({ epoch: 9 }) }), 'olga')).toBe('elsewhere');
+    expect(mine.leaseState(aDrone({ control: held({ explicit: false }) }), 'olga')).toBe('implicit');
+    expect(mine.leaseState(aDrone({ control: held() }), 'bob')).toBe('other');
+    expect(mine.leaseState(aDrone({ control: held({ state: 'pilot', holder: null }) }), 'olga')).toBe(
+      'pilot',
+    );
   });
 
   it('says who has control, and lets supervisors stop what others fly', () => {

@@ -6,7 +6,7 @@ import type { Control } from '../api/control';
 import { Problem } from '../api/problem';
 import { STATION, Station } from '../state/station.svelte';
 import { aCloudLoss, aDrone, anOutlook } from '../testing';
-import ControlLine from './ControlLine.svelte';
+import ControlLease from './ControlLease.svelte';
 
 function held(change: Partial<Control> = {}): Control {
   return { state: 'held', holder: 'ann', explicit: true, since: null, epoch: 7, requests: [], ...change };
@@ -21,7 +21,7 @@ function station(role: Role = 'operator'): Station {
 
 function show(made: Station, control: Control) {
   const props = { drone: aDrone({ control }) };
-  return render(ControlLine, { props, context: new Map([[STATION, made]]) });
+  return render(ControlLease, { props, context: new Map([[STATION, made]]) });
 }
 
 afterEach(cleanup);
@@ -83,7 +83,7 @@ describe('control line', () => {
     const take = vi.spyOn(made.rest.control, 'take').mockResolvedValue(held({ holder: 'olga' }));
     const nobody = held({ state: 'free', holder: null, explicit: false });
     const drone = aDrone({ control: nobody, outlook: anOutlook() });
-    const { rerender } = render(ControlLine, { props: { drone }, context: new Map([[STATION, made]]) });
+    const { rerender } = render(ControlLease, { props: { drone }, context: new Map([[STATION, made]]) });
 
     expect(screen.getByRole('timer').textContent).toBe('Brought home in 12 s');
     expect(screen.getByText('Brought home within 20 s unless somebody takes control.').role).toBe('status');
@@ -107,7 +107,7 @@ describe('control line', () => {
     const sentence = 'When it does not hear the cloud any more, it returns home after 20 s.';
     const outlook = anOutlook({ then, returnsAt: null });
     const drone = aDrone({ control: held(), outlook, cloudLoss: aCloudLoss({ sentence }) });
-    render(ControlLine, { props: { drone }, context: new Map([[STATION, station()]]) });
+    render(ControlLease, { props: { drone }, context: new Map([[STATION, station()]]) });
 
     expect(screen.getByText(then)).toBeDefined();
     expect(screen.getByText(sentence)).toBeDefined();
@@ -121,7 +121,7 @@ describe('control line', () => {
     cleanup();
 
     const drone = aDrone({ control: mine, outlook: anOutlook({ returnsAt: null }) });
-    render(ControlLine, { props: { drone }, context: new Map([[STATION, station()]]) });
+    render(ControlLease, { props: { drone }, context: new Map([[STATION, station()]]) });
     expect(screen.getByText('You have control')).toBeDefined();
   });
 
@@ -129,7 +129,7 @@ describe('control line', () => {
     const made = station();
     made.connection.down();
     const drone = aDrone({ control: held({ state: 'free' }), outlook: anOutlook() });
-    render(ControlLine, { props: { drone }, context: new Map([[STATION, made]]) });
+    render(ControlLease, { props: { drone }, context: new Map([[STATION, made]]) });
 
     expect(screen.queryByRole('timer')).toBeNull();
   });
