@@ -2,7 +2,7 @@ import type { Feature, FeatureCollection, Geometry, Point, Position } from 'geoj
 import type { Drone, Home, MissionItem } from '../api/types';
 import { landsElsewhere } from '../fleet/outlook';
 import { placeOf } from '../fleet/place';
-import { standingOf } from '../fleet/standing';
+import { statusOf } from '../fleet/drone-status';
 import type { Coordinates } from '../geo/coordinates';
 import type { Draft } from '../plan/draft';
 import { itemNumber, waypointNumber } from '../plan/numbering';
@@ -38,7 +38,7 @@ function droneProperties(
   silence: number | null,
   cut: boolean,
 ): Record<string, unknown> {
-  const tone = cut ? 'neutral' : standingOf(drone).tone;
+  const tone = cut ? 'neutral' : statusOf(drone).tone;
   const { state } = drone.link;
   const heading = headingOf(drone);
   const shape = heading === null ? 'dot' : 'arrow';

@@ -1,5 +1,5 @@
 import type { LinkQuality } from '../api/types';
-import type { Tone } from '../fleet/standing';
+import type { Tone } from '../fleet/drone-status';
 import { fixed, UNKNOWN } from '../ui/format';
 
 /** From here on a pilot should know before anything else does. */

@@ -2,13 +2,13 @@ import type { Drone, DroneKind, LinkState } from '../api/types';
 
 export type Tone = 'neutral' | 'green' | 'amber' | 'red';
 
-/** What a glance should tell of a drone: one word and the colour that means it. */
-export interface Standing {
+/** The status of a drone in one word, and the colour that means it. */
+export interface DroneStatus {
   word: string;
   tone: Tone;
 }
 
-export function standingOf(drone: Drone): Standing {
+export function statusOf(drone: Drone): DroneStatus {
   if (drone.link.state === 'ended') {
     return { word: 'Replay ended', tone: 'neutral' };
   }
@@ -27,11 +27,11 @@ export function standingOf(drone: Drone): Standing {
     case 'landing':
       return { word: 'Landing', tone: 'green' };
     default:
-      return groundStanding(drone);
+      return groundStatus(drone);
   }
 }
 
-function groundStanding(drone: Drone): Standing {
+function groundStatus(drone: Drone): DroneStatus {
   if (drone.armed) {
     return { word: 'Armed', tone: 'amber' };
   }

@@ -2,14 +2,14 @@ import { describe, expect, it } from 'vitest';
 import type { LinkState } from '../api/types';
 import { droneFeatures } from '../map/features';
 import { aDrone } from '../testing';
-import { linkWord, standingOf } from './standing';
+import { linkWord, statusOf } from './drone-status';
 
 const replayed = (state: LinkState) =>
   aDrone({ replay: true, armed: true, link: { ...aDrone().link, state } });
 
-describe('standing', () => {
+describe('status', () => {
   it('calls a replay that has ended just that, and no lost drone', () => {
-    expect(standingOf(replayed('ended'))).toEqual({ word: 'Replay ended', tone: 'neutral' });
+    expect(statusOf(replayed('ended'))).toEqual({ word: 'Replay ended', tone: 'neutral' });
     expect(linkWord('ended')).toBe('Ended');
   });
 
@@ -22,7 +22,7 @@ describe('standing', () => {
 
   it('alarms of a lost drone only when it may still fly', () => {
     const lost = aDrone({ link: { ...aDrone().link, state: 'lost' }, armed: true });
-    expect(standingOf(lost).tone).toBe('red');
-    expect(standingOf({ ...lost, armed: false }).tone).toBe('neutral');
+    expect(statusOf(lost).tone).toBe('red');
+    expect(statusOf({ ...lost, armed: false }).tone).toBe('neutral');
   });
 });
