@@ -110,7 +110,7 @@ export class MockCloud {
         return {
           type: 'positionsHeard',
           requestId: null,
-          receipt: this.#follows.hear(request.follow, request),
+          receipt: this.#follows.receive(request.follow, request),
         };
       case 'command': {
         const command = this.#command(this.#drone(request.drone), request.command as CommandRequest);

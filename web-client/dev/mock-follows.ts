@@ -77,7 +77,7 @@ export class MockFollows {
       const follow = this.#find(id);
       return this.#put({ ...follow, place: placed(follow.place, body) });
     },
-    reportFollowPositions: (body: Positions, id) => this.hear(id, body),
+    reportFollowPositions: (body: Positions, id) => this.receive(id, body),
     ...Object.fromEntries(
       Object.keys(WISHES).map((wish) => [
         `${wish}Follow`,
@@ -91,7 +91,7 @@ export class MockFollows {
   }
 
   /** The phone says where it is, by either face. */
-  hear(id: string, { positions }: Positions): FollowReceipt {
+  receive(id: string, { positions }: Positions): FollowReceipt {
     const follow = this.#find(id);
     if (follow.state === 'over') {
       throw new Refusal(409, 'operation-over', 'This follow is over.', { parameters: { id } });

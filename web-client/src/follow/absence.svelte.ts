@@ -33,9 +33,9 @@ const TOGETHER_SECONDS = 3;
 export class AbsenceWatch {
   last = $state.raw<Absence | null>(null);
   #follow: string | null = null;
-  #heard: number | null = null;
+  #lastPosition: number | null = null;
   #known: AbsenceReason | null = null;
-  #told: AbsenceReason | null = null;
+  #reported: AbsenceReason | null = null;
   /** When a reason was last noticed, by the phone's clock. */
   #noticed = 0;
   /** From when to when the newest absence was, by the cloud's clock. */
@@ -49,52 +49,52 @@ export class AbsenceWatch {
     }
   }
 
-  /** How the follow stands, as often as the page likes; `now` by the phone's clock. */
-  hear(follow: Follow, now: number): void {
+  /** Compares the follow with the last one; to be called often. `now` by the phone's clock. */
+  update(follow: Follow, now: number): void {
     if (follow.id !== this.#follow) {
       this.#begin(follow.id);
     }
     const phone = follow.now?.phone ?? null;
     const reach = follow.now?.reach ?? null;
     if (reach !== null && reach !== 'speaks') {
-      this.#told = reach;
+      this.#reported = reach;
       this.#noticed = now;
     }
     if (phone === null) {
       return;
     }
     const heard = Date.parse(phone.heard);
-    if (this.#heard === null || heard > this.#heard) {
+    if (this.#lastPosition === null || heard > this.#lastPosition) {
       this.#compare(follow, heard, now);
-      this.#heard = heard;
+      this.#lastPosition = heard;
     }
   }
 
   #begin(id: string): void {
     this.#follow = id;
-    this.#heard = null;
-    this.#told = null;
+    this.#lastPosition = null;
+    this.#reported = null;
     this.last = null;
   }
 
   #compare(follow: Follow, heard: number, now: number): void {
     // A drone that follows only since then has not waited before.
-    const from = Math.max(this.#heard ?? heard, Date.parse(follow.since));
+    const from = Math.max(this.#lastPosition ?? heard, Date.parse(follow.since));
     const seconds = Math.round((heard - from) / 1000);
     const over = follow.state === 'tracking' && seconds >= TOLD_AFTER_SECONDS;
     if (over) {
-      this.#tell(from, heard, now);
+      this.#record(from, heard, now);
     }
     // A page that wakes up first reads what was said before it slept.
     if (over || now - this.#noticed > TOLD_AFTER_SECONDS * 1000) {
       this.#known = null;
-      this.#told = null;
+      this.#reported = null;
     }
   }
 
-  #tell(from: number, to: number, now: number): void {
+  #record(from: number, to: number, now: number): void {
     const goesOn = this.last?.why === 'gone' && from - this.#span.to <= TOGETHER_SECONDS * 1000;
-    const why = goesOn ? 'gone' : (this.#known ?? this.#told ?? 'cut');
+    const why = goesOn ? 'gone' : (this.#known ?? this.#reported ?? 'cut');
     this.#span = { from: goesOn ? this.#span.from : from, to };
     const seconds = Math.round((to - this.#span.from) / 1000);
     this.last = { why, seconds, waited: seconds - HOLDS_AFTER_SECONDS, from: this.#span.from, until: now };

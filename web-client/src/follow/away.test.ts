@@ -92,7 +92,7 @@ describe('the page of a phone that was away', () => {
 
   function open(first: Follow, say: SayPositions = taken): { phone: Phone; follows: Follows } {
     const follows = new Follows(new FollowCalls(vi.fn()));
-    follows.hear(first);
+    follows.apply(first);
     const phone = new Phone({ follows, say: () => say });
     phone.now = BEGAN;
     return { phone, follows };
@@ -102,10 +102,10 @@ describe('the page of a phone that was away', () => {
     const { phone, follows } = open(following(10, 'speaks'));
     phone.resume(following(10, 'speaks'));
     phone.beat(BEGAN + 1_000);
-    follows.hearNow('f1', aFollowNow(at(11)));
+    follows.applyNow('f1', aFollowNow(at(11)));
     phone.beat(BEGAN + 2_000);
     phone.beat(BEGAN + 36_000);
-    follows.hearNow('f1', aFollowNow(at(45)));
+    follows.applyNow('f1', aFollowNow(at(45)));
     phone.beat(BEGAN + 37_000);
     expect(phone.absence.last).toEqual({
       why: 'asleep',
@@ -120,13 +120,13 @@ describe('the page of a phone that was away', () => {
     const { phone, follows } = open(following(10, 'speaks'));
     phone.resume(following(10, 'speaks'));
     phone.beat(BEGAN + 1_000);
-    follows.hearNow('f1', aFollowNow(at(11)));
+    follows.applyNow('f1', aFollowNow(at(11)));
     phone.beat(BEGAN + 2_000);
     phone.beat(BEGAN + 20_000);
-    follows.hearNow('f1', aFollowNow(at(12)));
+    follows.applyNow('f1', aFollowNow(at(12)));
     phone.beat(BEGAN + 20_500);
     phone.absence.suspect('cut', BEGAN + 21_000);
-    follows.hearNow('f1', aFollowNow(at(31)));
+    follows.applyNow('f1', aFollowNow(at(31)));
     phone.beat(BEGAN + 22_000);
     expect(phone.absence.last).toMatchObject({ why: 'asleep', seconds: 19 });
   });
@@ -134,11 +134,11 @@ describe('the page of a phone that was away', () => {
   it('takes for one what goes on right after it was opened again', () => {
     const { phone, follows } = open(following(10, 'gone'));
     phone.resume(following(10, 'gone'));
-    follows.hearNow('f1', aFollowNow(at(27)));
+    follows.applyNow('f1', aFollowNow(at(27)));
     phone.beat(BEGAN + 1_000);
     expect(phone.absence.last).toMatchObject({ why: 'gone', seconds: 17 });
     phone.beat(BEGAN + 8_000);
-    follows.hearNow('f1', aFollowNow(at(34)));
+    follows.applyNow('f1', aFollowNow(at(34)));
     phone.beat(BEGAN + 9_000);
     expect(phone.absence.last).toMatchObject({ why: 'gone', seconds: 24, waited: 22 });
   });
@@ -161,7 +161,7 @@ describe('the page of a phone that was away', () => {
   it('knows that it was closed, from the follow that it finds', () => {
     const { phone, follows } = open(following(10, 'gone'));
     phone.resume(following(10, 'gone'));
-    follows.hearNow('f1', aFollowNow(at(30)));
+    follows.applyNow('f1', aFollowNow(at(30)));
     phone.beat(BEGAN + 1_000);
     expect(phone.absence.last).toMatchObject({ why: 'gone', waited: 18 });
   });
@@ -171,7 +171,7 @@ describe('the station', () => {
   function show(follow: Follow, second: number): void {
     const station = new Station();
     vi.spyOn(station.rest.follows, 'all').mockResolvedValue([]);
-    station.follows.hear(follow);
+    station.follows.apply(follow);
     station.clock.now = BEGAN + second * 1000;
     render(FollowShelf, { context: new Map([[STATION, station]]) });
   }

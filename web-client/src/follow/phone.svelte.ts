@@ -91,7 +91,7 @@ export class Phone {
 
   #watch(): void {
     if (this.follow !== null) {
-      this.absence.hear(this.follow, this.now);
+      this.absence.update(this.follow, this.now);
     }
   }
 

@@ -12,13 +12,13 @@ const tracking = aFollow({
   now: aFollowNow('2026-01-01T12:00:00Z'),
 });
 
-function following(call: () => Promise<unknown>): { phone: Phone; hear: (follow: Follow) => void } {
+function following(call: () => Promise<unknown>): { phone: Phone; apply: (follow: Follow) => void } {
   const follows = new Follows(new FollowCalls(call as never));
-  follows.hear(tracking);
+  follows.apply(tracking);
   const phone = new Phone({ follows, say: () => () => Promise.resolve({ upTo: null }) });
   phone.now = BEGAN;
   phone.resume(tracking);
-  return { phone, hear: (follow) => follows.hear(follow) };
+  return { phone, apply: (follow) => follows.apply(follow) };
 }
 
 describe('a button that was pressed in vain', () => {
@@ -53,11 +53,11 @@ describe('a button that was pressed in vain', () => {
   });
 
   it('is told until the next stage, when the cloud refused it', async () => {
-    const { phone, hear } = following(refused);
+    const { phone, apply } = following(refused);
     await phone.wish('pause');
     [4_000, 8_000, 12_000].forEach((after) => phone.beat(BEGAN + after));
     expect(phone.problem).toBe('It is paused.');
-    hear({ ...tracking, state: 'paused', since: '2026-01-01T12:00:13Z' });
+    apply({ ...tracking, state: 'paused', since: '2026-01-01T12:00:13Z' });
     phone.beat(BEGAN + 13_000);
     expect(phone.problem).toBeNull();
   });

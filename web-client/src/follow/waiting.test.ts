@@ -49,9 +49,9 @@ describe('what a drone does while its phone is silent', () => {
 describe('a phone that is back', () => {
   const away = (from: number, to: number, told: 'asleep' | 'cut' | 'gone' | 'speaks'): AbsenceWatch => {
     const watch = new AbsenceWatch();
-    watch.hear(tracking(from), ms(from));
-    watch.hear(tracking(from, told), ms(from + 3));
-    watch.hear(tracking(to), ms(to));
+    watch.update(tracking(from), ms(from));
+    watch.update(tracking(from, told), ms(from + 3));
+    watch.update(tracking(to), ms(to));
     return watch;
   };
 
@@ -71,11 +71,11 @@ describe('a phone that is back', () => {
   it('says that the cloud did not answer when it had a network all the time', () => {
     const watch = away(10, 12, 'speaks');
     watch.suspect('unanswered', ms(15));
-    watch.hear(tracking(40), ms(40));
+    watch.update(tracking(40), ms(40));
     expect(watch.last?.why).toBe('unanswered');
     watch.suspect('cut', ms(45));
     watch.suspect('unanswered', ms(46));
-    watch.hear(tracking(60), ms(60));
+    watch.update(tracking(60), ms(60));
     expect(watch.last?.why).toBe('cut');
   });
 
@@ -83,19 +83,19 @@ describe('a phone that is back', () => {
     const watch = away(10, 12, 'speaks');
     watch.suspect('asleep', ms(12));
     watch.suspect('cut', ms(12));
-    watch.hear(tracking(12, 'gone'), ms(20));
-    watch.hear(tracking(40), ms(40));
+    watch.update(tracking(12, 'gone'), ms(20));
+    watch.update(tracking(40), ms(40));
     expect(watch.last?.why).toBe('asleep');
-    watch.hear(tracking(50), ms(50));
+    watch.update(tracking(50), ms(50));
     expect(watch.last?.why).toBe('cut');
   });
 
   it('tells of nothing that was before the drone followed, nor when it does not follow any more', () => {
     const watch = new AbsenceWatch();
-    watch.hear(tracking(10), ms(10));
-    watch.hear({ ...tracking(40), since: at(39) }, ms(40));
+    watch.update(tracking(10), ms(10));
+    watch.update({ ...tracking(40), since: at(39) }, ms(40));
     expect(watch.last).toBeNull();
-    watch.hear({ ...tracking(80), state: 'returning' }, ms(80));
+    watch.update({ ...tracking(80), state: 'returning' }, ms(80));
     expect(watch.last).toBeNull();
   });
 });

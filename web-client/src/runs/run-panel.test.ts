@@ -16,7 +16,7 @@ afterEach(cleanup);
 
 function runsWith(calls: Partial<RunCalls>): Runs {
   const runs = new Runs(calls as RunCalls);
-  runs.hear(aRun());
+  runs.apply(aRun());
   runs.show('r1');
   return runs;
 }
@@ -24,8 +24,8 @@ function runsWith(calls: Partial<RunCalls>): Runs {
 describe('the runs that the page knows', () => {
   it('takes no older picture for the newest', () => {
     const runs = runsWith({});
-    runs.hear(aRun({ journal: 9, state: 'stopping' }));
-    runs.hear(aRun({ journal: 8 }));
+    runs.apply(aRun({ journal: 9, state: 'stopping' }));
+    runs.apply(aRun({ journal: 8 }));
     expect(runs.shown?.state).toBe('stopping');
     expect(runs.underWay).toHaveLength(1);
   });
@@ -62,7 +62,7 @@ describe('the runs that the page knows', () => {
   it('puts a tool aside when the run takes no wishes any more', () => {
     const runs = runsWith({});
     runs.take('add');
-    runs.hear(aRun({ journal: 5, state: 'over' }));
+    runs.apply(aRun({ journal: 5, state: 'over' }));
     expect(runs.tool).toBeNull();
   });
 
@@ -83,7 +83,7 @@ function panelFor(role: Role, run: MissionRun): Station {
   const station = new Station();
   station.connection.up();
   station.session = { name: 'olga', role, mustChangePassword: false, organisation: null };
-  station.runs.hear(run);
+  station.runs.apply(run);
   station.runs.show(run.id);
   render(RunPanel, { props: { run }, context: new Map([[STATION, station]]) });
   return station;

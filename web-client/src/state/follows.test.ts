@@ -8,8 +8,8 @@ import { Questions } from './questions';
 describe('follows', () => {
   it('believe no picture of an earlier stage', () => {
     const follows = new Follows(new FollowCalls(vi.fn()));
-    follows.hear(aFollow({ state: 'tracking', since: '2026-01-01T12:00:05Z' }));
-    follows.hear(aFollow({ state: 'starting', since: '2026-01-01T12:00:00Z' }));
+    follows.apply(aFollow({ state: 'tracking', since: '2026-01-01T12:00:05Z' }));
+    follows.apply(aFollow({ state: 'starting', since: '2026-01-01T12:00:00Z' }));
     expect(follows.find('f1')?.state).toBe('tracking');
   });
 
@@ -19,12 +19,12 @@ describe('follows', () => {
     const call = vi.fn(() => new Promise((resolve) => (answer = resolve)));
     const follows = new Follows(new FollowCalls(call as never));
     const loading = follows.load();
-    follows.hear({ ...waits, note: null });
+    follows.apply({ ...waits, note: null });
     answer({ follows: [waits] });
     await loading;
     expect(follows.find('f1')?.note).toBeNull();
 
-    const looking = follows.look('f1');
+    const looking = follows.poll('f1');
     answer(waits);
     await looking;
     expect(follows.find('f1')?.note).toBe('Copter 1 waits.');
@@ -33,10 +33,10 @@ describe('follows', () => {
   it('take what changes all the time for those that are known', () => {
     const follows = new Follows(new FollowCalls(vi.fn()));
     const now = { ...aFollowNow('2026-01-01T12:00:00Z'), secondsLeft: 300 };
-    follows.hearNow('f1', now);
+    follows.applyNow('f1', now);
     expect(follows.all).toEqual([]);
-    follows.hear(aFollow());
-    follows.hearNow('f1', now);
+    follows.apply(aFollow());
+    follows.applyNow('f1', now);
     expect(follows.find('f1')?.now?.secondsLeft).toBe(300);
   });
 
@@ -47,7 +47,7 @@ describe('follows', () => {
     const follows = new Follows(new FollowCalls(call));
     await follows.catchUp();
     expect(call).not.toHaveBeenCalled();
-    follows.hear(aFollow({ state: 'tracking' }));
+    follows.apply(aFollow({ state: 'tracking' }));
     await follows.catchUp();
     expect(follows.underWay).toEqual([]);
   });

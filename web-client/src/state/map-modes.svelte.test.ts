@@ -14,7 +14,7 @@ let leave: () => void;
 /** Switches each mode on, as the page does. */
 const BEGIN: Record<string, () => void> = {
   'changing a run': () => {
-    station.runs.hear(aRun());
+    station.runs.apply(aRun());
     station.runs.show('r1');
     flushSync();
     station.runs.take('add');
@@ -45,7 +45,7 @@ describe('each use of the map', () => {
   it.each(MAP_MODES.map((mode) => [mode.name]))('%s ends when a run begins', (name) => {
     BEGIN[name]?.();
     flushSync();
-    station.runs.hear(aRun({ id: 'r2' }));
+    station.runs.apply(aRun({ id: 'r2' }));
     station.runs.show('r2');
     flushSync();
     expect(mapMode(station)).toBeNull();
@@ -72,7 +72,7 @@ describe('planning', () => {
     station.planner.begin(FLEET_DRAFT);
     station.planner.addAt(HERE);
     flushSync();
-    station.runs.hear(aRun());
+    station.runs.apply(aRun());
     station.runs.show('r1');
     flushSync();
     mapMode(station)?.click(station, HERE);
@@ -105,14 +105,14 @@ describe('planning', () => {
 
 describe('the place where a waypoint is to be moved to', () => {
   it('is asked for no longer when somebody has visited it', () => {
-    station.runs.hear(aRun());
+    station.runs.apply(aRun());
     station.runs.show('r1');
     flushSync();
     station.runs.choose('2');
     station.runs.take('move');
     flushSync();
     expect(station.runs.tool).toBe('move');
-    station.runs.hear(aRun({ waypoints: [aRunWaypoint('2', { state: 'visited' })] }));
+    station.runs.apply(aRun({ waypoints: [aRunWaypoint('2', { state: 'visited' })] }));
     flushSync();
     expect(station.runs.tool).toBeNull();
   });
@@ -134,9 +134,9 @@ describe('the place where a drone is to go', () => {
 describe('a zone that is being changed', () => {
   it('is not drawn on when somebody removes it', () => {
     const zone = aZone();
-    station.zones.hear(zone);
+    station.zones.apply(zone);
     station.zones.draft = draftOf(zone);
-    station.zones.forget(zone.id ?? '');
+    station.zones.applyRemoval(zone.id ?? '');
     expect(station.zones.draft).toBeNull();
   });
 });

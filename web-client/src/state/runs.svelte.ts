@@ -38,8 +38,8 @@ export class Runs {
     return this.all.filter((run) => run.state !== 'over');
   }
 
-  /** Pictures may overtake each other: an older one than what is known says nothing new. */
-  hear(run: MissionRun): void {
+  /** Applies a newer version of a run; answers and updates may overtake each other. */
+  apply(run: MissionRun): void {
     const known = this.#all.get(run.id);
     if (known !== undefined && known.journal > run.journal) {
       return;
@@ -94,10 +94,10 @@ export class Runs {
     this.marks = this.marks.slice(0, -1);
   }
 
-  /** What is over is not told by the stream. */
+  /** Reads all runs: the stream does not send those that are over. */
   async load(): Promise<void> {
     await this.#attempt(async () => {
-      (await this.#calls.all()).forEach((run) => this.hear(run));
+      (await this.#calls.all()).forEach((run) => this.apply(run));
       this.loaded = true;
     });
   }
@@ -108,7 +108,7 @@ export class Runs {
     if (this.loaded) {
       await this.load();
     } else if (shown !== null) {
-      await this.#attempt(async () => this.hear(await this.#calls.one(shown.id)));
+      await this.#attempt(async () => this.apply(await this.#calls.one(shown.id)));
     }
   }
 
@@ -116,7 +116,7 @@ export class Runs {
   async start(request: RunStart): Promise<boolean> {
     return this.#send(async () => {
       const run = await this.#calls.start(request);
-      this.hear(run);
+      this.apply(run);
       this.show(run.id);
     });
   }
@@ -176,7 +176,7 @@ export class Runs {
     const id = this.shownId;
     if (id !== null && !this.busy) {
       await this.#send(async () => {
-        this.hear(await wish(id));
+        this.apply(await wish(id));
         this.lay();
       });
     }

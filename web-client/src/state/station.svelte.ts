@@ -13,7 +13,7 @@ import { ViewState } from './view-state.svelte';
 import { Directory } from './directory.svelte';
 import { Fleet } from './fleet.svelte';
 import { Follows } from './follows.svelte';
-import { hearOfPlans } from './news';
+import { applyUpdate } from './stream-updates';
 import { newUuid } from './uuid';
 import { Planner } from './planner.svelte';
 import { Preferences } from './preferences.svelte';
@@ -63,7 +63,7 @@ export class Station {
   readonly #stream = new StreamClient(
     { address: () => this.#streamAddress(), open: openSocket, timers: browserTimers },
     {
-      onMessage: (message) => this.#hear(message),
+      onMessage: (message) => this.#receive(message),
       onUp: () => this.#streamUp(),
       onDown: () => this.#streamDown(),
       onRetryAt: (at) => (this.connection.retryAt = at),
@@ -81,8 +81,8 @@ export class Station {
   /** Asks who is signed in. Rejects when the cloud cannot be reached. */
   async open(): Promise<void> {
     setInterval(() => {
-      this.clock.tick();
-      this.connection.tick();
+      this.clock.refresh();
+      this.connection.refresh();
       this.leases.sendHeartbeats();
     }, 1000);
     await this.resume();
@@ -198,7 +198,7 @@ export class Station {
     this.signedOut = why;
     this.session = null;
     const { directory, fleet, leases, zones, virtuals, tours, runs, follows } = this;
-    [directory, fleet, leases, zones, virtuals, tours, runs, follows].forEach((shelf) => shelf.clear());
+    [directory, fleet, leases, zones, virtuals, tours, runs, follows].forEach((store) => store.clear());
     this.planner.stop();
     this.view.deselect();
     this.view.page = 'map';
@@ -227,8 +227,8 @@ export class Station {
     }
   }
 
-  #hear(message: StreamMessage): void {
-    this.connection.heard();
+  #receive(message: StreamMessage): void {
+    this.connection.received();
     this.leases.sendHeartbeats();
     switch (message.type) {
       case 'hello':
@@ -244,13 +244,13 @@ export class Station {
         this.fleet.remove(message.id);
         break;
       case 'command':
-        this.commands.hear(message.command);
+        this.commands.apply(message.command);
         break;
       case 'positionsHeard':
         this.#questions.answer(message.requestId, message.receipt);
         break;
       case 'ping':
-        this.clock.hear(message.at);
+        this.clock.synchronise(message.at);
         break;
       case 'error':
         if (this.#lines.hear(message) || this.#questions.refuse(message)) {
@@ -259,7 +259,7 @@ export class Station {
         console.warn('The stream reports:', message.problem.detail);
         break;
       default:
-        hearOfPlans(message, this);
+        applyUpdate(message, this);
         break;
     }
   }

@@ -61,7 +61,7 @@ export class Tours {
     return id === null ? null : (this.#plans.get(id) ?? null);
   }
 
-  hear(plan: FleetPlan): void {
+  apply(plan: FleetPlan): void {
     this.#plans = new Map(this.#plans).set(plan.id, plan);
     // After the page was opened anew.
     if (this.plan === null && (isUnderWay(plan) || plan.launch?.underWay === true)) {
@@ -69,7 +69,7 @@ export class Tours {
     }
   }
 
-  forget(id: string): void {
+  applyRemoval(id: string): void {
     const plans = new Map(this.#plans);
     plans.delete(id);
     this.#plans = plans;
@@ -114,7 +114,7 @@ export class Tours {
       };
       // The stream may have told of later ones.
       if (!this.#plans.has(plan.id)) {
-        this.hear(plan);
+        this.apply(plan);
       }
       this.shownId = plan.id;
       this.besideId = before?.result ? before.id : null;
@@ -133,14 +133,14 @@ export class Tours {
   async accept(start: boolean): Promise<void> {
     const { plan } = this;
     if (plan !== null) {
-      await this.#attempt(async () => this.hear(await this.#calls.accept(plan.id, start)));
+      await this.#attempt(async () => this.apply(await this.#calls.accept(plan.id, start)));
     }
   }
 
   async stop(): Promise<void> {
     const { plan } = this;
     if (plan !== null) {
-      await this.#attempt(async () => this.hear(await this.#calls.stop(plan.id)));
+      await this.#attempt(async () => this.apply(await this.#calls.stop(plan.id)));
     }
   }
 
@@ -154,7 +154,7 @@ export class Tours {
           // It was cancelled; now it is forgotten.
           await this.#calls.remove(plan.id);
         }
-        this.forget(plan.id);
+        this.applyRemoval(plan.id);
         this.shownId = null;
       });
     }
@@ -167,10 +167,10 @@ export class Tours {
       return;
     }
     try {
-      this.hear(await this.#calls.one(plan.id));
+      this.apply(await this.#calls.one(plan.id));
     } catch (thrown) {
       if (thrown instanceof Problem && thrown.status === 404) {
-        this.forget(plan.id);
+        this.applyRemoval(plan.id);
         this.problem =
           'The server no longer knows this plan: it was started anew, or much time has passed. ' +
           'What was uploaded is on board; drones that had not been started stay where they are.';

@@ -15,7 +15,7 @@ type LonLat = [number, number];
 
 interface Track {
   points: { at: LonLat; begins: boolean }[];
-  heardAt: number | null;
+  reportedAt: number | null;
   /** The next point begins a new line. */
   broken: boolean;
 }
@@ -32,13 +32,13 @@ export class Trails {
     if (place === null) {
       return;
     }
-    const track = this.#tracks.get(drone.id) ?? { points: [], heardAt: null, broken: true };
+    const track = this.#tracks.get(drone.id) ?? { points: [], reportedAt: null, broken: true };
     this.#tracks.set(drone.id, track);
-    const heardAt = Date.parse(drone.link.lastHeard ?? drone.lastUpdate ?? '');
-    if (track.heardAt !== null && heardAt - track.heardAt > LONGEST_SILENCE_MILLISECONDS) {
+    const reportedAt = Date.parse(drone.link.lastHeard ?? drone.lastUpdate ?? '');
+    if (track.reportedAt !== null && reportedAt - track.reportedAt > LONGEST_SILENCE_MILLISECONDS) {
       track.broken = true;
     }
-    track.heardAt = Number.isNaN(heardAt) ? track.heardAt : heardAt;
+    track.reportedAt = Number.isNaN(reportedAt) ? track.reportedAt : reportedAt;
     extend(track, [place.longitude, place.latitude]);
   }
 

@@ -26,13 +26,13 @@ export class Virtuals {
     });
   }
 
-  hear(drone: VirtualDrone): void {
+  apply(drone: VirtualDrone): void {
     this.all = this.all.some((one) => one.id === drone.id)
       ? this.all.map((one) => (one.id === drone.id ? drone : one))
       : [...this.all, drone];
   }
 
-  forget(id: string): void {
+  applyRemoval(id: string): void {
     this.all = this.all.filter((drone) => drone.id !== id);
   }
 
@@ -44,22 +44,22 @@ export class Virtuals {
 
   /** Answers whether it worked. */
   add(name: string, needs: VirtualNeeds): Promise<boolean> {
-    return this.#attempt(async () => this.hear(await this.#calls.add({ name, needs, items: null })));
+    return this.#attempt(async () => this.apply(await this.#calls.add({ name, needs, items: null })));
   }
 
   plan(drone: VirtualDrone, items: readonly PlannedItem[]): Promise<boolean> {
     const request = { name: drone.name, needs: drone.needs, items: [...items] };
-    return this.#attempt(async () => this.hear(await this.#calls.replace(drone.id, request)));
+    return this.#attempt(async () => this.apply(await this.#calls.replace(drone.id, request)));
   }
 
   act(id: string, action: 'start' | 'stop' | 'resume'): Promise<boolean> {
-    return this.#attempt(async () => this.hear(await this.#calls.act(id, action)));
+    return this.#attempt(async () => this.apply(await this.#calls.act(id, action)));
   }
 
   remove(id: string): Promise<boolean> {
     return this.#attempt(async () => {
       await this.#calls.remove(id);
-      this.forget(id);
+      this.applyRemoval(id);
     });
   }
 

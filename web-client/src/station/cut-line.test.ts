@@ -29,8 +29,8 @@ function aStation(): Station {
   const station = new Station();
   station.session = { name: 'ann', role: 'administrator', mustChangePassword: false, organisation: null };
   station.connection.up();
-  station.connection.heard();
-  station.clock.hear('2026-01-01T12:00:07Z');
+  station.connection.received();
+  station.clock.synchronise('2026-01-01T12:00:07Z');
   station.fleet.replaceAll([
     aDrone({
       flight: 'inAir',
@@ -117,7 +117,7 @@ describe('a page whose line to the cloud is cut', () => {
 
   it('says of a run how long ago it stood so', async () => {
     const station = aStation();
-    station.runs.hear(aRun());
+    station.runs.apply(aRun());
     station.runs.show('r1');
     await show(station);
     station.connection.down();

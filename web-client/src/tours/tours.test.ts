@@ -263,9 +263,9 @@ describe('a plan for several drones', () => {
       objective: { kind: 'weighted', longestWeight: 0.75, sumWeight: 0.25, everyDrone: false },
       wind: { speed: 4, from: 270 },
     });
-    tours.hear(plan({ id: 'other', state: 'finished' }));
+    tours.apply(plan({ id: 'other', state: 'finished' }));
     expect(tours.plan?.state).toBe('running');
-    tours.hear(plan({ state: 'finished', result: RESULT }));
+    tours.apply(plan({ state: 'finished', result: RESULT }));
     expect(tours.plan?.state).toBe('finished');
     await tours.accept(true);
     expect(tours.problem).toBe('It has moved.');
@@ -282,12 +282,12 @@ describe('a plan for several drones', () => {
 
   it('is found again after the page was opened anew, while something of it is under way', () => {
     const tours = new Tours({} as ConstructorParameters<typeof Tours>[0]);
-    tours.hear(plan({ id: 'old', state: 'finished', result: RESULT }));
+    tours.apply(plan({ id: 'old', state: 'finished', result: RESULT }));
     expect(tours.plan).toBeNull();
     expect(tours.others.map((one) => one.id)).toEqual(['old']);
-    tours.hear(plan({ id: 'running' }));
+    tours.apply(plan({ id: 'running' }));
     expect(tours.plan?.id).toBe('running');
-    tours.forget('running');
+    tours.applyRemoval('running');
     expect(tours.plan).toBeNull();
   });
 });

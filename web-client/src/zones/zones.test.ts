@@ -128,11 +128,11 @@ describe('the list of zones', () => {
 
   it('follows what the cloud says', () => {
     const zones = new Zones(new ZoneCalls(vi.fn()));
-    zones.hear(aZone({ name: 'B' }));
-    zones.hear({ ...aZone({ name: 'A' }), id: 'z2' });
-    zones.hear(aZone({ name: 'C' }));
+    zones.apply(aZone({ name: 'B' }));
+    zones.apply({ ...aZone({ name: 'A' }), id: 'z2' });
+    zones.apply(aZone({ name: 'C' }));
     expect(zones.all.map((zone) => zone.properties.name)).toEqual(['A', 'C']);
-    zones.forget('z2');
+    zones.applyRemoval('z2');
     expect(zones.all).toHaveLength(1);
   });
 
