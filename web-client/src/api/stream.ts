@@ -96,8 +96,8 @@ export class StreamClient {
     this.#down = false;
   }
 
-  /** False when the line is down: what is said many times a second is not kept for later. */
-  say(request: StreamRequest): boolean {
+  /** False without a connection: what is sent many times a second is not kept for later. */
+  send(request: StreamRequest): boolean {
     if (!this.#up || this.#socket === null) {
       return false;
     }

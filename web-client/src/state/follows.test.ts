@@ -3,7 +3,7 @@ import { FollowCalls } from '../api/follows';
 import { Problem } from '../api/problem';
 import { aFollow, aFollowNow } from '../testing';
 import { Follows } from './follows.svelte';
-import { Questions } from './questions';
+import { PendingRequests } from './pending-requests';
 
 describe('follows', () => {
   it('believe no picture of an earlier stage', () => {
@@ -55,21 +55,21 @@ describe('follows', () => {
 
 describe('what is asked over the stream', () => {
   it('is answered, refused, or given up when the line goes down', async () => {
-    const questions = new Questions<string>();
+    const pending = new PendingRequests<string>();
     const ids: string[] = [];
-    const ask = (): Promise<string> | null => questions.ask((id) => ids.push(id) > 0);
+    const ask = (): Promise<string> | null => pending.request((id) => ids.push(id) > 0);
     const [first, second, third] = [ask(), ask(), ask()];
-    questions.answer(ids[0] ?? '', 'yes');
+    pending.resolve(ids[0] ?? '', 'yes');
     await expect(first).resolves.toBe('yes');
     const refusal = { status: 409, detail: 'This follow is over.' };
-    expect(questions.refuse({ type: 'error', requestId: ids[1] ?? '', problem: refusal })).toBe(true);
+    expect(pending.reject({ type: 'error', requestId: ids[1] ?? '', problem: refusal })).toBe(true);
     await expect(second).rejects.toThrow('This follow is over.');
-    expect(questions.refuse({ type: 'error', requestId: 'steer-1', problem: refusal })).toBe(false);
-    questions.giveUp();
+    expect(pending.reject({ type: 'error', requestId: 'steer-1', problem: refusal })).toBe(false);
+    pending.rejectAll();
     await expect(third).rejects.toBeInstanceOf(Problem);
   });
 
-  it('is not asked where the line is down', () => {
-    expect(new Questions().ask(() => false)).toBeNull();
+  it('is not sent without a connection', () => {
+    expect(new PendingRequests().request(() => false)).toBeNull();
   });
 });

@@ -18,8 +18,8 @@ import { newUuid } from './uuid';
 import { Planner } from './planner.svelte';
 import { Preferences } from './preferences.svelte';
 import { Runs } from './runs.svelte';
-import { Questions } from './questions';
-import { SteeringLines, type SteeringLine } from './steering';
+import { PendingRequests } from './pending-requests';
+import { SteeringChannels, type SteeringChannel } from './steering-channels';
 import { Tours } from './tours.svelte';
 import { Virtuals } from './virtuals.svelte';
 import { Zones } from './zones.svelte';
@@ -72,9 +72,9 @@ export class Station {
   );
 
   #only: string | null = null;
-  readonly #questions = new Questions<Receipt>();
-  readonly #lines = new SteeringLines(
-    (request) => this.#stream.say(request),
+  readonly #pending = new PendingRequests<Receipt>();
+  readonly #steering = new SteeringChannels(
+    (request) => this.#stream.send(request),
     (drone) => this.leases.held.get(drone),
   );
 
@@ -119,16 +119,16 @@ export class Station {
     this.#forgetSession(null);
   }
 
-  /** A line to steer that drone by; `onRefused` hears why the cloud takes no speeds. */
-  steering(drone: string, onRefused: (why: string) => void): SteeringLine {
-    return this.#lines.open(drone, onRefused);
+  /** Opens a channel to steer that drone by; `onRefused` is called with the reason when the cloud refuses a setpoint. */
+  steering(drone: string, onRefused: (why: string) => void): SteeringChannel {
+    return this.#steering.open(drone, onRefused);
   }
 
   /** Over the stream, where it is up; else by a call of its own. */
   sayPositions(follow: string, positions: Positions): Promise<Receipt> {
     const request = { type: 'positions', follow, ...positions } as const;
     return (
-      this.#questions.ask((requestId) => this.#stream.say({ requestId, ...request })) ??
+      this.#pending.request((requestId) => this.#stream.send({ requestId, ...request })) ??
       this.rest.follows.positions(follow, positions)
     );
   }
@@ -144,7 +144,7 @@ export class Station {
   #subscribe(): void {
     const only =
       this.#only === null ? { drones: null, rate: RATES.all } : { drones: [this.#only], rate: RATES.one };
-    this.#stream.say({ type: 'subscribe', requestId: 'subscribe', ...only });
+    this.#stream.send({ type: 'subscribe', requestId: 'subscribe', ...only });
   }
 
   retryNow(): void {
@@ -217,7 +217,7 @@ export class Station {
 
   #streamDown(): void {
     this.connection.down();
-    this.#questions.giveUp();
+    this.#pending.rejectAll();
   }
 
   /** An administrator may have given another one since the sign-in. */
@@ -247,13 +247,13 @@ export class Station {
         this.commands.apply(message.command);
         break;
       case 'positionsHeard':
-        this.#questions.answer(message.requestId, message.receipt);
+        this.#pending.resolve(message.requestId, message.receipt);
         break;
       case 'ping':
         this.clock.synchronise(message.at);
         break;
       case 'error':
-        if (this.#lines.hear(message) || this.#questions.refuse(message)) {
+        if (this.#steering.reject(message) || this.#pending.reject(message)) {
           break;
         }
         console.warn('The stream reports:', message.problem.detail);

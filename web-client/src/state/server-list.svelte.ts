@@ -1,7 +1,7 @@
 import { sentenceFor } from '../api/problem';
 
 /** A list that the server keeps, read anew after each change, and the sentence of what went wrong last. */
-export class Roster<T> {
+export class ServerList<T> {
   items = $state.raw<readonly T[]>([]);
   problem = $state<string | null>(null);
   /** It was read: somebody shows it. */
@@ -11,7 +11,7 @@ export class Roster<T> {
   /** The sentence is about reading, and goes when that succeeds again. */
   #unread = false;
 
-  /** `onChange` hears of each change that was made here. */
+  /** `onChange` is called after each change that was made here. */
   constructor(read: () => Promise<readonly T[]>, onChange: () => void = () => undefined) {
     this.#read = read;
     this.#onChange = onChange;
