@@ -188,12 +188,12 @@ def test_a_person_sees_its_room_drives_it_and_sends_it_somewhere(
     yaw = api.drone(robot["id"])["local"]["yaw"]
     steer.get_by_role("application").focus()
     page.keyboard.down("a")
-    expect(state).to_contain_text("You are steering: turning left")
+    expect(state).to_contain_text("Steering: turning left")
     wait_for("it turns to its left", lambda: turned(yaw, api.drone(robot["id"])["local"]["yaw"]) > 20)
     expect(canvas, "and one sees it").to_be_in_viewport(ratio=0.9)
     picture(page, "robot-steered-wide")
     page.keyboard.up("a")
-    expect(state).to_have_text("Nobody steers from here")
+    expect(state).to_have_text("Not steering")
 
     before = api.drone(robot["id"])["local"]
     stick = steer.locator("[data-stick=Drive]")
@@ -229,7 +229,7 @@ def steers_on_a_phone(api: Api, robot: Json, page: Page, steer: Locator) -> None
     assert on_top(page, [x, y - 60], "[data-stick]"), "nor over the stick"
     picture(page, "robot-steered-narrow")
     page.mouse.up()
-    expect(steer.get_by_role("status")).to_have_text("Nobody steers from here")
+    expect(steer.get_by_role("status")).to_have_text("Not steering")
 
 
 def on_top(page: Page, place: list[float], selector: str) -> bool:

@@ -14,7 +14,7 @@ const sources = new Map(
 /** Nobody is signed in there, and no stream is open. */
 const WITHOUT_LINE = ['session/', 'App.svelte'];
 /** What these hold is the page's own, whatever their methods are called. */
-const OF_THE_PAGE = new Set(['planner', 'view', 'preferences', 'helm', 'hold']);
+const OF_THE_PAGE = new Set(['planner', 'view', 'preferences', 'input', 'hold']);
 const CHANGES = /'(POST|PUT|PATCH|DELETE)'/;
 /** Calls that look, though they send something, and what works on the page's own state under a name that also changes. */
 const LOOKS = new Set(['streamTicket', 'compareParameterFile', 'order', 'positions', 'signIn', 'verify']);

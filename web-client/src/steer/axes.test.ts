@@ -42,8 +42,8 @@ describe('velocityOf', () => {
   });
 
   it('lets two hands pull no harder than one can', () => {
-    const hand = { ...NEUTRAL, forward: 0.8 };
-    expect(sum([hand, hand]).forward).toBe(1);
+    const input = { ...NEUTRAL, forward: 0.8 };
+    expect(sum([input, input]).forward).toBe(1);
   });
 });
 
