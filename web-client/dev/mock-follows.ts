@@ -39,8 +39,8 @@ function placed(was: Follow['place'], change: PlaceChange): Follow['place'] {
   };
 }
 
-/** What each wish makes of each stage; left out: it is refused. */
-const WISHES: Record<string, Partial<Record<FollowStage, FollowStage>>> = {
+/** What each action makes of each stage; left out: it is refused. */
+const ACTIONS: Record<string, Partial<Record<FollowStage, FollowStage>>> = {
   start: { allocated: 'starting' },
   cancel: { allocated: 'over', starting: 'returning' },
   pause: { tracking: 'paused' },
@@ -79,9 +79,9 @@ export class MockFollows {
     },
     reportFollowPositions: (body: Positions, id) => this.receive(id, body),
     ...Object.fromEntries(
-      Object.keys(WISHES).map((wish) => [
-        `${wish}Follow`,
-        ((_, id) => this.#wish(wish, id)) satisfies Handler,
+      Object.keys(ACTIONS).map((action) => [
+        `${action}Follow`,
+        ((_, id) => this.#act(action, id)) satisfies Handler,
       ]),
     ),
   };
@@ -206,11 +206,11 @@ export class MockFollows {
     return this.#find(follow.id);
   }
 
-  #wish(wish: string, id: string): Follow {
+  #act(action: string, id: string): Follow {
     const follow = this.#find(id);
-    const next = WISHES[wish]?.[follow.state];
+    const next = ACTIONS[action]?.[follow.state];
     if (next === undefined) {
-      throw new Refusal(409, 'operation-state', `It is ${follow.state}: it takes no “${wish}” now.`);
+      throw new Refusal(409, 'operation-state', `It is ${follow.state}: it takes no “${action}” now.`);
     }
     const drone = this.#drone(follow);
     if (next === 'starting') {
@@ -221,7 +221,7 @@ export class MockFollows {
     } else if (next === 'paused') {
       drone.goal = { north: drone.north, east: drone.east, up: drone.up };
     }
-    return this.#to(follow, next, `${follow.owner} wished it: ${wish}.`);
+    return this.#to(follow, next, `${follow.owner} wished it: ${action}.`);
   }
 
   #to(follow: Follow, state: FollowStage, words: string): Follow {

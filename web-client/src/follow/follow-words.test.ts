@@ -14,8 +14,8 @@ import {
   placeWords,
   shelfNote,
   stageWords,
-  WISHES,
-  wishWords,
+  ACTIONS,
+  actionText,
 } from './follow-words';
 import { meanwhile } from './waiting';
 import { ALARM, Vibration } from './vibration';
@@ -60,10 +60,10 @@ describe('the stages of a follow', () => {
   });
 
   it('want holding for whatever sets the drone in motion or cannot be undone', () => {
-    expect(Object.entries(WISHES).filter(([, { hold }]) => hold)).toHaveLength(3);
-    expect(WISHES.pause.hold).toBe(false);
-    expect(WISHES.stop.means).toContain('not beside you');
-    expect(WISHES.pause.means).toContain('in the air');
+    expect(Object.entries(ACTIONS).filter(([, { hold }]) => hold)).toHaveLength(3);
+    expect(ACTIONS.pause.hold).toBe(false);
+    expect(ACTIONS.stop.effect).toContain('not beside you');
+    expect(ACTIONS.pause.effect).toContain('in the air');
   });
 
   it('do not say who has a drone that was taken: the follow does', () => {
@@ -73,8 +73,8 @@ describe('the stages of a follow', () => {
     expect(lineOf(taken)).toBe('Copter 1 was taken and does not follow olga');
     expect(meanwhile(taken, 10).words).toBe('Nobody has Copter 1 any more.');
     // The cloud leaves it to whoever has it.
-    expect(wishWords('stop', 'suspended').means).toContain('keeps it; one that nobody has');
-    expect(wishWords('stop', 'tracking')).toBe(WISHES.stop);
+    expect(actionText('stop', 'suspended').effect).toContain('keeps it; one that nobody has');
+    expect(actionText('stop', 'tracking')).toBe(ACTIONS.stop);
   });
 
   it('hang on the phone while it leads the drone', () => {

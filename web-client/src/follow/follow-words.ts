@@ -1,4 +1,4 @@
-import type { Follow, FollowOther, FollowPlace, FollowStage, FollowWish } from '../api/follows';
+import type { Follow, FollowOther, FollowPlace, FollowStage, FollowAction } from '../api/follows';
 import { span } from '../ui/format';
 import type { Absence } from './absence.svelte';
 
@@ -59,69 +59,69 @@ export function stageWords(follow: Follow, unled = false): StageWords {
   return STAGES[state](droneName);
 }
 
-export interface WishWords {
+export interface ActionText {
   label: string;
-  /** What it does, in plain words. */
-  means: string;
+  /** The effect, as a sentence. */
+  effect: string;
   tone: 'plain' | 'primary' | 'danger';
   /** Moves the drone or cannot be undone: wants holding. */
   hold: boolean;
 }
 
-export const WISHES: Record<FollowWish, WishWords> = {
+export const ACTIONS: Record<FollowAction, ActionText> = {
   start: {
     label: 'Start',
-    means: 'it arms its motors, takes off and comes. Nobody may stand beside it.',
+    effect: 'it arms its motors, takes off and comes. Nobody may stand beside it.',
     tone: 'primary',
     hold: true,
   },
   cancel: {
     label: 'Cancel',
-    means: 'the drone is free again; when it is in the air already, it flies home.',
+    effect: 'the drone is free again; when it is in the air already, it flies home.',
     tone: 'plain',
     hold: false,
   },
   pause: {
     label: 'Pause',
-    means: 'it stays where it is, in the air, whatever you do. The battery runs on.',
+    effect: 'it stays where it is, in the air, whatever you do. The battery runs on.',
     tone: 'primary',
     hold: false,
   },
-  continue: { label: 'Go on', means: 'it comes to you again.', tone: 'primary', hold: true },
+  continue: { label: 'Go on', effect: 'it comes to you again.', tone: 'primary', hold: true },
   stop: {
     label: 'Stop and fly home',
-    means: 'it flies to where it took off and lands there, not beside you. That ends it.',
+    effect: 'it flies to where it took off and lands there, not beside you. That ends it.',
     tone: 'danger',
     hold: true,
   },
 };
 
-const STOP_OF_TAKEN: WishWords = {
-  ...WISHES.stop,
+const STOP_OF_TAKEN: ActionText = {
+  ...ACTIONS.stop,
   label: 'Stop',
-  means: 'that ends it. Whoever has the drone keeps it; one that nobody has any more is called home.',
+  effect: 'that ends it. Whoever has the drone keeps it; one that nobody has any more is called home.',
 };
 
-/** What a wish is at that stage. */
-export function wishWords(wish: FollowWish, state: FollowStage): WishWords {
-  return wish === 'stop' && state === 'suspended' ? STOP_OF_TAKEN : WISHES[wish];
+/** The label and effect of an action at a stage. */
+export function actionText(action: FollowAction, state: FollowStage): ActionText {
+  return action === 'stop' && state === 'suspended' ? STOP_OF_TAKEN : ACTIONS[action];
 }
 
-/** The cloud did not answer: where there is a network the wish may have reached it. */
-export function notDoneWords(wish: FollowWish, state: FollowStage, online: boolean): string {
-  const { label } = wishWords(wish, state);
+/** The problem when the cloud did not answer; with a network it may have received the action. */
+export function notDoneWords(action: FollowAction, state: FollowStage, online: boolean): string {
+  const { label } = actionText(action, state);
   return online
     ? `The cloud did not answer: whether “${label}” was done is seen when it does.`
     : `“${label}” was not done: there is no network. Press it again when there is one.`;
 }
 
-/** Where on the page it stands what a wish does. */
-export function meansId(wish: FollowWish): string {
-  return `means-${wish}`;
+/** The id of the element that describes an action. */
+export function effectId(action: FollowAction): string {
+  return `effect-${action}`;
 }
 
-/** What can be asked for at a stage, the likeliest first. */
-const OFFERED: Record<FollowStage, readonly FollowWish[]> = {
+/** Actions at each stage, the likeliest first. */
+const OFFERED: Record<FollowStage, readonly FollowAction[]> = {
   allocated: ['start', 'cancel'],
   starting: ['cancel'],
   tracking: ['pause', 'stop'],
@@ -132,7 +132,7 @@ const OFFERED: Record<FollowStage, readonly FollowWish[]> = {
 };
 
 /** Who comes in the place of one that flies home already can be called off. */
-export function offered(follow: Follow): readonly FollowWish[] {
+export function offered(follow: Follow): readonly FollowAction[] {
   return follow.state === 'returning' && reliefOf(follow) !== null ? ['stop'] : OFFERED[follow.state];
 }
 

@@ -1,4 +1,4 @@
-import type { Follow, FollowOrder, FollowStage, FollowWish, PlaceChange } from '../api/follows';
+import type { Follow, FollowOrder, FollowStage, FollowAction, PlaceChange } from '../api/follows';
 import { Problem, sentenceFor } from '../api/problem';
 import { browserTimers } from '../api/stream';
 import { AbsenceWatch } from './absence.svelte';
@@ -31,7 +31,7 @@ export class Phone {
   online = $state(navigator.onLine);
   /** The follow that this page is about; it may be over. */
   followId = $state<string | null>(null);
-  busy = $state<FollowWish | 'ask' | 'place' | null>(null);
+  busy = $state<FollowAction | 'ask' | 'place' | null>(null);
   problem = $state<string | null>(null);
   readonly absence = new AbsenceWatch();
   line = $state.raw<PositionLine | null>(null);
@@ -131,8 +131,8 @@ export class Phone {
     }
   }
 
-  async wish(wish: FollowWish): Promise<void> {
-    await this.#onFollow(wish, (id) => this.#ports.follows.wish(id, wish));
+  async act(action: FollowAction): Promise<void> {
+    await this.#onFollow(action, (id) => this.#ports.follows.act(id, action));
   }
 
   async place(change: PlaceChange): Promise<void> {
@@ -179,7 +179,7 @@ export class Phone {
     this.locating = 'off';
   }
 
-  async #onFollow(what: FollowWish | 'place', call: (id: string) => Promise<unknown>): Promise<void> {
+  async #onFollow(what: FollowAction | 'place', call: (id: string) => Promise<unknown>): Promise<void> {
     const id = this.followId;
     if (id !== null) {
       await this.#attempt(what, () => call(id));

@@ -31,16 +31,16 @@ describe('a button that was pressed in vain', () => {
   it('did nothing where there is no network, and may have where the cloud does not answer', async () => {
     const { phone } = following(lost);
     online(false);
-    await phone.wish('stop');
+    await phone.act('stop');
     expect(phone.problem).toContain('“Stop and fly home” was not done: there is no network.');
     online(true);
-    await phone.wish('pause');
+    await phone.act('pause');
     expect(phone.problem).toContain('whether “Pause” was done');
   });
 
   it('is told until the line is there again, but long enough to be read', async () => {
     const { phone } = following(lost);
-    await phone.wish('stop');
+    await phone.act('stop');
     phone.beat(BEGAN + 1_000);
     expect(phone.problem).not.toBeNull();
     const line = phone.line ?? expect.fail('It has a line.');
@@ -54,7 +54,7 @@ describe('a button that was pressed in vain', () => {
 
   it('is told until the next stage, when the cloud refused it', async () => {
     const { phone, apply } = following(refused);
-    await phone.wish('pause');
+    await phone.act('pause');
     [4_000, 8_000, 12_000].forEach((after) => phone.beat(BEGAN + after));
     expect(phone.problem).toBe('It is paused.');
     apply({ ...tracking, state: 'paused', since: '2026-01-01T12:00:13Z' });

@@ -1,4 +1,4 @@
-import type { Follow, FollowCalls, FollowNow, FollowOrder, FollowWish, PlaceChange } from '../api/follows';
+import type { Follow, FollowCalls, FollowNow, FollowOrder, FollowAction, PlaceChange } from '../api/follows';
 import { sentenceFor } from '../api/problem';
 
 /** Follows that this page knows of. */
@@ -90,8 +90,8 @@ export class Follows {
     return this.#ask(() => this.#calls.open(order));
   }
 
-  wish(id: string, wish: FollowWish): Promise<Follow> {
-    return this.#ask(() => this.#calls.wish(id, wish));
+  act(id: string, action: FollowAction): Promise<Follow> {
+    return this.#ask(() => this.#calls.act(id, action));
   }
 
   change(id: string, place: PlaceChange): Promise<Follow> {

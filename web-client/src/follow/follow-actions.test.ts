@@ -4,14 +4,14 @@ import { FollowCalls, type FollowStage } from '../api/follows';
 import { Follows } from '../state/follows.svelte';
 import { aFollow } from '../testing';
 import { Phone } from './phone.svelte';
-import WishButtons from './WishButtons.svelte';
+import FollowActions from './FollowActions.svelte';
 
 afterEach(cleanup);
 
 function show(state: FollowStage): { phone: Phone; rerender: (state: FollowStage) => Promise<void> } {
   const phone = new Phone({ follows: new Follows(new FollowCalls(vi.fn())), say: () => vi.fn() });
-  vi.spyOn(phone, 'wish').mockResolvedValue();
-  const shown = render(WishButtons, { props: { phone, follow: aFollow({ state }) } });
+  vi.spyOn(phone, 'act').mockResolvedValue();
+  const shown = render(FollowActions, { props: { phone, follow: aFollow({ state }) } });
   return { phone, rerender: (next) => shown.rerender({ phone, follow: aFollow({ state: next }) }) };
 }
 
@@ -25,7 +25,7 @@ describe('the buttons of a follow', () => {
   it('do what was pressed', async () => {
     const { phone } = show('tracking');
     await press('Pause');
-    expect(phone.wish).toHaveBeenCalledWith('pause');
+    expect(phone.act).toHaveBeenCalledWith('pause');
   });
 
   it('take no tap from a finger that went down on another one', async () => {
@@ -33,15 +33,15 @@ describe('the buttons of a follow', () => {
     await fireEvent.pointerDown(screen.getByRole('button', { name: 'Start' }));
     await rerender('starting');
     await fireEvent.click(screen.getByRole('button', { name: 'Cancel' }), { detail: 1 });
-    expect(phone.wish).not.toHaveBeenCalled();
+    expect(phone.act).not.toHaveBeenCalled();
     await press('Cancel');
-    expect(phone.wish).toHaveBeenCalledWith('cancel');
+    expect(phone.act).toHaveBeenCalledWith('cancel');
   });
 
   it('can be pressed by keyboard', async () => {
     const { phone } = show('tracking');
     await fireEvent.click(screen.getByRole('button', { name: 'Pause' }), { detail: 0 });
-    expect(phone.wish).toHaveBeenCalledWith('pause');
+    expect(phone.act).toHaveBeenCalledWith('pause');
   });
 
   it('are none on the way home', () => {
