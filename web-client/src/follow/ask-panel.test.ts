@@ -16,7 +16,7 @@ describe('where the target is', () => {
   beforeEach(() => {
     vi.clearAllMocks();
     vi.stubGlobal('isSecureContext', true);
-    phone = new Phone({ follows: new Follows(new FollowCalls(vi.fn())), say: () => vi.fn() });
+    phone = new Phone({ follows: new Follows(new FollowCalls(vi.fn())), sender: () => vi.fn() });
     phone.locating = 'on';
     phone.fix = { at: 0, latitude: 47, longitude: 8, accuracy: 6, speed: null, course: null };
   });

@@ -8,7 +8,7 @@ import { aFollow, aFollowNow } from '../testing';
 import CutOff from './CutOff.svelte';
 import FollowShelf from './FollowShelf.svelte';
 import { Phone } from './phone.svelte';
-import type { SayPositions } from './position-line.svelte';
+import type { SendPositions } from './position-uplink.svelte';
 import type { Warning } from './warnings';
 import Warnings from './Warnings.svelte';
 import WorstInSight from './WorstInSight.svelte';
@@ -88,12 +88,12 @@ describe('the worst warning', () => {
 });
 
 describe('the page of a phone that was away', () => {
-  const taken = vi.fn<SayPositions>().mockResolvedValue({ upTo: null });
+  const taken = vi.fn<SendPositions>().mockResolvedValue({ upTo: null });
 
-  function open(first: Follow, say: SayPositions = taken): { phone: Phone; follows: Follows } {
+  function open(first: Follow, say: SendPositions = taken): { phone: Phone; follows: Follows } {
     const follows = new Follows(new FollowCalls(vi.fn()));
     follows.apply(first);
-    const phone = new Phone({ follows, say: () => say });
+    const phone = new Phone({ follows, sender: () => say });
     phone.now = BEGAN;
     return { phone, follows };
   }
@@ -101,12 +101,12 @@ describe('the page of a phone that was away', () => {
   it('knows that it was stopped, and for how long the drone waited', () => {
     const { phone, follows } = open(following(10, 'speaks'));
     phone.resume(following(10, 'speaks'));
-    phone.beat(BEGAN + 1_000);
+    phone.update(BEGAN + 1_000);
     follows.applyNow('f1', aFollowNow(at(11)));
-    phone.beat(BEGAN + 2_000);
-    phone.beat(BEGAN + 36_000);
+    phone.update(BEGAN + 2_000);
+    phone.update(BEGAN + 36_000);
     follows.applyNow('f1', aFollowNow(at(45)));
-    phone.beat(BEGAN + 37_000);
+    phone.update(BEGAN + 37_000);
     expect(phone.absence.last).toEqual({
       why: 'asleep',
       seconds: 34,
@@ -119,15 +119,15 @@ describe('the page of a phone that was away', () => {
   it('reads first what came before it slept, and loses its network as it wakes', () => {
     const { phone, follows } = open(following(10, 'speaks'));
     phone.resume(following(10, 'speaks'));
-    phone.beat(BEGAN + 1_000);
+    phone.update(BEGAN + 1_000);
     follows.applyNow('f1', aFollowNow(at(11)));
-    phone.beat(BEGAN + 2_000);
-    phone.beat(BEGAN + 20_000);
+    phone.update(BEGAN + 2_000);
+    phone.update(BEGAN + 20_000);
     follows.applyNow('f1', aFollowNow(at(12)));
-    phone.beat(BEGAN + 20_500);
+    phone.update(BEGAN + 20_500);
     phone.absence.suspect('cut', BEGAN + 21_000);
     follows.applyNow('f1', aFollowNow(at(31)));
-    phone.beat(BEGAN + 22_000);
+    phone.update(BEGAN + 22_000);
     expect(phone.absence.last).toMatchObject({ why: 'asleep', seconds: 19 });
   });
 
@@ -135,25 +135,25 @@ describe('the page of a phone that was away', () => {
     const { phone, follows } = open(following(10, 'gone'));
     phone.resume(following(10, 'gone'));
     follows.applyNow('f1', aFollowNow(at(27)));
-    phone.beat(BEGAN + 1_000);
+    phone.update(BEGAN + 1_000);
     expect(phone.absence.last).toMatchObject({ why: 'gone', seconds: 17 });
-    phone.beat(BEGAN + 8_000);
+    phone.update(BEGAN + 8_000);
     follows.applyNow('f1', aFollowNow(at(34)));
-    phone.beat(BEGAN + 9_000);
+    phone.update(BEGAN + 9_000);
     expect(phone.absence.last).toMatchObject({ why: 'gone', seconds: 24, waited: 22 });
   });
 
   it('does not say that it knows no place before its receiver had a moment', () => {
-    const say = vi.fn<SayPositions>().mockResolvedValue({ upTo: null });
+    const say = vi.fn<SendPositions>().mockResolvedValue({ upTo: null });
     const clock = vi.spyOn(performance, 'now').mockReturnValue(1_000);
     const { phone } = open(following(10, 'speaks'), say);
     phone.resume(following(10, 'speaks'));
-    phone.beat(BEGAN + 1_000);
+    phone.update(BEGAN + 1_000);
     clock.mockReturnValue(20_000);
-    phone.beat(BEGAN + 20_000);
+    phone.update(BEGAN + 20_000);
     expect(say).not.toHaveBeenCalled();
     clock.mockReturnValue(22_000);
-    phone.beat(BEGAN + 22_000);
+    phone.update(BEGAN + 22_000);
     expect(say).toHaveBeenCalledOnce();
     clock.mockRestore();
   });
@@ -162,7 +162,7 @@ describe('the page of a phone that was away', () => {
     const { phone, follows } = open(following(10, 'gone'));
     phone.resume(following(10, 'gone'));
     follows.applyNow('f1', aFollowNow(at(30)));
-    phone.beat(BEGAN + 1_000);
+    phone.update(BEGAN + 1_000);
     expect(phone.absence.last).toMatchObject({ why: 'gone', waited: 18 });
   });
 });

@@ -9,7 +9,7 @@ import FollowActions from './FollowActions.svelte';
 afterEach(cleanup);
 
 function show(state: FollowStage): { phone: Phone; rerender: (state: FollowStage) => Promise<void> } {
-  const phone = new Phone({ follows: new Follows(new FollowCalls(vi.fn())), say: () => vi.fn() });
+  const phone = new Phone({ follows: new Follows(new FollowCalls(vi.fn())), sender: () => vi.fn() });
   vi.spyOn(phone, 'act').mockResolvedValue();
   const shown = render(FollowActions, { props: { phone, follow: aFollow({ state }) } });
   return { phone, rerender: (next) => shown.rerender({ phone, follow: aFollow({ state: next }) }) };

@@ -15,7 +15,7 @@ const tracking = aFollow({
 function following(call: () => Promise<unknown>): { phone: Phone; apply: (follow: Follow) => void } {
   const follows = new Follows(new FollowCalls(call as never));
   follows.apply(tracking);
-  const phone = new Phone({ follows, say: () => () => Promise.resolve({ upTo: null }) });
+  const phone = new Phone({ follows, sender: () => () => Promise.resolve({ upTo: null }) });
   phone.now = BEGAN;
   phone.resume(tracking);
   return { phone, apply: (follow) => follows.apply(follow) };
@@ -41,24 +41,24 @@ describe('a button that was pressed in vain', () => {
   it('is told until the line is there again, but long enough to be read', async () => {
     const { phone } = following(lost);
     await phone.act('stop');
-    phone.beat(BEGAN + 1_000);
+    phone.update(BEGAN + 1_000);
     expect(phone.problem).not.toBeNull();
-    const line = phone.line ?? expect.fail('It has a line.');
+    const line = phone.uplink ?? expect.fail('It has a line.');
     line.cutOffSince = BEGAN;
-    [5_000, 9_000, 13_000].forEach((after) => phone.beat(BEGAN + after));
+    [5_000, 9_000, 13_000].forEach((after) => phone.update(BEGAN + after));
     expect(phone.problem).not.toBeNull();
     line.cutOffSince = null;
-    phone.beat(BEGAN + 14_000);
+    phone.update(BEGAN + 14_000);
     expect(phone.problem).toBeNull();
   });
 
   it('is told until the next stage, when the cloud refused it', async () => {
     const { phone, apply } = following(refused);
     await phone.act('pause');
-    [4_000, 8_000, 12_000].forEach((after) => phone.beat(BEGAN + after));
+    [4_000, 8_000, 12_000].forEach((after) => phone.update(BEGAN + after));
     expect(phone.problem).toBe('It is paused.');
     apply({ ...tracking, state: 'paused', since: '2026-01-01T12:00:13Z' });
-    phone.beat(BEGAN + 13_000);
+    phone.update(BEGAN + 13_000);
     expect(phone.problem).toBeNull();
   });
 });

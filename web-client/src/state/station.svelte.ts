@@ -125,7 +125,7 @@ export class Station {
   }
 
   /** Over the stream, where it is up; else by a call of its own. */
-  sayPositions(follow: string, positions: Positions): Promise<Receipt> {
+  sendPositions(follow: string, positions: Positions): Promise<Receipt> {
     const request = { type: 'positions', follow, ...positions } as const;
     return (
       this.#pending.request((requestId) => this.#stream.send({ requestId, ...request })) ??
@@ -133,8 +133,8 @@ export class Station {
     );
   }
 
-  /** From now on hears of that drone alone, and less often, so that little waits for a page that sleeps; null: of all. */
-  listenTo(drone: string | null): void {
+  /** Subscribes to that drone alone, at a lower rate, so that little waits for a page that sleeps; null: to all. */
+  subscribeTo(drone: string | null): void {
     if (drone !== this.#only) {
       this.#only = drone;
       this.#subscribe();

@@ -3,7 +3,7 @@ import { ANSWER_MILLISECONDS, type Positions, type Receipt } from '../api/follow
 import { Problem } from '../api/problem';
 import type { Fix } from './fix';
 import { FixBuffer, MOST_FIXES } from './fix-buffer';
-import { LOST_MILLISECONDS, PositionLine, RETRY_MILLISECONDS } from './position-line.svelte';
+import { LOST_MILLISECONDS, PositionUplink, RETRY_MILLISECONDS } from './position-uplink.svelte';
 
 const fix = (at: number): Fix => ({ at, latitude: 47, longitude: 8, accuracy: 5, speed: null, course: null });
 
@@ -14,7 +14,7 @@ class Bench {
   readonly sent: Positions[] = [];
   #answers: { resolve: (receipt: Receipt) => void; reject: (thrown: unknown) => void }[] = [];
   #timers: { at: number; action: () => void }[] = [];
-  readonly line = new PositionLine(
+  readonly uplink = new PositionUplink(
     (positions) =>
       new Promise((resolve, reject) => {
         this.sent.push(positions);
@@ -82,9 +82,9 @@ describe('fixes that wait', () => {
 describe('the line to the cloud', () => {
   it('says one thing at a time, and what came meanwhile together', async () => {
     const bench = new Bench();
-    bench.line.offer(fix(bench.now));
-    bench.line.offer(fix(bench.now + 1));
-    bench.line.offer(fix(bench.now + 2));
+    bench.uplink.offer(fix(bench.now));
+    bench.uplink.offer(fix(bench.now + 1));
+    bench.uplink.offer(fix(bench.now + 2));
     expect(bench.sent).toHaveLength(1);
     bench.now += 120;
     await bench.answer();
@@ -94,88 +94,88 @@ describe('the line to the cloud', () => {
 
   it('says again what got lost, and since when it is cut off', async () => {
     const bench = new Bench();
-    bench.line.offer(fix(bench.now));
+    bench.uplink.offer(fix(bench.now));
     await bench.answer();
     const taken = bench.now;
     await bench.pass(1000);
-    bench.line.offer(fix(bench.now));
+    bench.uplink.offer(fix(bench.now));
     await bench.answer(Problem.unreachable());
-    expect(bench.line.cutOffSince).toBe(taken);
+    expect(bench.uplink.cutOffSince).toBe(taken);
 
     await bench.pass(RETRY_MILLISECONDS);
     expect(times(bench.sent[2])).toEqual([1_001_000]);
     await bench.answer();
-    expect(bench.line.cutOffSince).toBeNull();
+    expect(bench.uplink.cutOffSince).toBeNull();
   });
 
   it('waits for no answer that does not come', async () => {
     const bench = new Bench();
-    bench.line.offer(fix(bench.now));
+    bench.uplink.offer(fix(bench.now));
     await bench.pass(ANSWER_MILLISECONDS);
-    expect(bench.line.cutOffSince).not.toBeNull();
+    expect(bench.uplink.cutOffSince).not.toBeNull();
     await bench.pass(RETRY_MILLISECONDS);
     expect(bench.sent).toHaveLength(2);
   });
 
   it('tries at once when the network is back', async () => {
     const bench = new Bench();
-    bench.line.offer(fix(bench.now));
+    bench.uplink.offer(fix(bench.now));
     await bench.answer(Problem.unreachable());
-    bench.line.retryNow();
+    bench.uplink.retryNow();
     expect(bench.sent).toHaveLength(2);
   });
 
   it('keeps what it saw without a network, and says all of it when there is one', async () => {
     const bench = new Bench();
     for (let second = 0; second < 30; second++) {
-      bench.line.offer(fix(bench.now));
+      bench.uplink.offer(fix(bench.now));
       await bench.answer(Problem.unreachable());
       await bench.pass(1000);
     }
     expect(times(bench.sent.at(-1))).toHaveLength(30);
-    expect(bench.line.cutOffSince).toBe(1_000_000);
+    expect(bench.uplink.cutOffSince).toBe(1_000_000);
   });
 
   it('says again what a receipt does not cover', async () => {
     const bench = new Bench();
-    bench.line.offer(fix(bench.now));
-    bench.line.offer(fix(bench.now + 1));
-    bench.line.offer(fix(bench.now + 2));
+    bench.uplink.offer(fix(bench.now));
+    bench.uplink.offer(fix(bench.now + 1));
+    bench.uplink.offer(fix(bench.now + 2));
     await bench.answer();
     await bench.answer({ upTo: bench.now + 1 });
     expect(times(bench.sent[2])).toEqual([1_000_002]);
     await bench.answer({ upTo: null });
-    expect(bench.line.cutOffSince).not.toBeNull();
+    expect(bench.uplink.cutOffSince).not.toBeNull();
     await bench.pass(RETRY_MILLISECONDS);
     expect(times(bench.sent[3])).toEqual([1_000_002]);
   });
 
   it('says that the phone is there when it does not know where it is', async () => {
     const bench = new Bench();
-    bench.line.offer(fix(bench.now));
+    bench.uplink.offer(fix(bench.now));
     await bench.answer();
-    bench.line.beat();
+    bench.uplink.keepAlive();
     expect(bench.sent).toHaveLength(1);
     await bench.pass(LOST_MILLISECONDS);
-    bench.line.beat();
+    bench.uplink.keepAlive();
     expect(bench.sent[1]?.positions).toEqual([]);
     await bench.answer({ upTo: null });
-    expect(bench.line.cutOffSince).toBeNull();
+    expect(bench.uplink.cutOffSince).toBeNull();
   });
 
   it('does not repeat what the cloud does not want, and says why', async () => {
     const bench = new Bench();
-    bench.line.offer(fix(bench.now));
+    bench.uplink.offer(fix(bench.now));
     await bench.answer(new Problem({ status: 409, detail: 'This follow is over.' }));
-    expect(bench.line.refused).toBe('This follow is over.');
-    expect(bench.line.cutOffSince).toBeNull();
+    expect(bench.uplink.refused).toBe('This follow is over.');
+    expect(bench.uplink.cutOffSince).toBeNull();
     await bench.pass(10_000);
     expect(bench.sent).toHaveLength(1);
   });
 
   it('says again what an overloaded cloud did not take', async () => {
     const bench = new Bench();
-    bench.line.offer(fix(bench.now));
+    bench.uplink.offer(fix(bench.now));
     await bench.answer(new Problem({ status: 429, detail: 'Slower.' }));
     await bench.pass(RETRY_MILLISECONDS);
     expect(bench.sent).toHaveLength(2);
@@ -183,10 +183,10 @@ describe('the line to the cloud', () => {
 
   it('is silent once it is closed', async () => {
     const bench = new Bench();
-    bench.line.offer(fix(bench.now));
+    bench.uplink.offer(fix(bench.now));
     await bench.answer(Problem.unreachable());
-    bench.line.close();
-    bench.line.offer(fix(bench.now + 1));
+    bench.uplink.close();
+    bench.uplink.offer(fix(bench.now + 1));
     await bench.pass(10_000);
     expect(bench.sent).toHaveLength(1);
   });

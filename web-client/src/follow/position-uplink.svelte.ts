@@ -4,33 +4,33 @@ import type { Timers } from '../api/stream';
 import { positionsOf, type Fix } from './fix';
 import { FixBuffer } from './fix-buffer';
 
-/** By which positions go up. It rejects with a Problem when the cloud cannot be reached, or does not want them. */
-export type SayPositions = (positions: Positions) => Promise<Receipt>;
+/** Sends positions to the cloud; rejects with a Problem when it cannot be reached, or refuses them. */
+export type SendPositions = (positions: Positions) => Promise<Receipt>;
 
 export const RETRY_MILLISECONDS = 1_000;
-/** So long without a position, and the cloud is told that the phone is there all the same. */
+/** After so long without a position the cloud gets an empty message, so that it knows that the phone is there. */
 export const LOST_MILLISECONDS = 2_000;
 
-/** Says where the target is over a line that fails now and then: one message at a time, again until it is taken. */
-export class PositionLine {
-  /** The time of the last word that the cloud took, while the newest ones do not get through; null: they do. */
+/** Sends positions of the target over an unreliable connection: one message at a time, repeated until it is accepted. */
+export class PositionUplink {
+  /** The time of the last message that the cloud accepted, while newer ones are not received; null: they are. */
   cutOffSince = $state<number | null>(null);
-  /** Why the cloud does not want them; null: it does. */
+  /** The reason for which the cloud refuses positions; null: it accepts them. */
   refused = $state<string | null>(null);
   readonly buffer = new FixBuffer();
-  readonly #say: SayPositions;
+  readonly #transmit: SendPositions;
   readonly #timers: Timers;
   readonly #wall: () => number;
-  #lastTaken: number | null = null;
+  #lastAccepted: number | null = null;
   #roundTrip: number | null = null;
-  #said = 0;
+  #lastSent = 0;
   #busy = false;
   #open = true;
   #cancelRetry: () => void = () => undefined;
 
   /** `wall`: the phone's own clock, by which fixes are dated. */
-  constructor(say: SayPositions, timers: Timers, wall: () => number = Date.now) {
-    this.#say = say;
+  constructor(transmit: SendPositions, timers: Timers, wall: () => number = Date.now) {
+    this.#transmit = transmit;
     this.#timers = timers;
     this.#wall = wall;
   }
@@ -42,14 +42,14 @@ export class PositionLine {
     }
   }
 
-  /** The line seems to be there again: does not wait for the planned try. */
+  /** Sends now instead of at the planned retry: the connection seems to be back. */
   retryNow(): void {
     void this.#send();
   }
 
-  /** The page runs again after it was stopped: what waits goes up, and the receiver has a moment to speak. */
-  woke(): void {
-    this.#said = this.#timers.now();
+  /** Sends what waits after the page was stopped by the system. */
+  resumed(): void {
+    this.#lastSent = this.#timers.now();
     void this.#send();
   }
 
@@ -59,9 +59,9 @@ export class PositionLine {
     this.buffer.clear();
   }
 
-  /** Once in a while: says that the phone is there, where it has not said so for long. */
-  beat(): void {
-    if (this.buffer.pending.length === 0 && this.#timers.now() - this.#said >= LOST_MILLISECONDS) {
+  /** To be called periodically: sends an empty message when none was sent for long. */
+  keepAlive(): void {
+    if (this.buffer.pending.length === 0 && this.#timers.now() - this.#lastSent >= LOST_MILLISECONDS) {
       void this.#send(true);
     }
   }
@@ -74,11 +74,11 @@ export class PositionLine {
     this.#cancelRetry();
     this.#busy = true;
     const began = this.#timers.now();
-    this.#said = began;
+    this.#lastSent = began;
     try {
-      const { upTo } = await this.#within(this.#say(positionsOf(fixes, this.#wall(), this.#roundTrip)));
+      const { upTo } = await this.#within(this.#transmit(positionsOf(fixes, this.#wall(), this.#roundTrip)));
       this.#roundTrip = Math.round(this.#timers.now() - began);
-      this.#taken(fixes.length === 0 ? 0 : upTo);
+      this.#accepted(fixes.length === 0 ? 0 : upTo);
     } catch (thrown) {
       this.#failed(thrown, fixes);
     } finally {
@@ -89,25 +89,25 @@ export class PositionLine {
     }
   }
 
-  #taken(upTo: number | null): void {
+  #accepted(upTo: number | null): void {
     if (upTo === null) {
       // It was too busy for any of them.
       throw Problem.unreachable();
     }
-    this.buffer.settle(upTo);
-    this.#lastTaken = this.#wall();
+    this.buffer.acknowledge(upTo);
+    this.#lastAccepted = this.#wall();
     this.cutOffSince = null;
     this.refused = null;
   }
 
   #failed(thrown: unknown, fixes: readonly Fix[]): void {
     if (thrown instanceof Problem && isRefusal(thrown)) {
-      // The same words would be refused again.
-      this.buffer.settle(fixes.at(-1)?.at ?? 0);
+      // The same positions would be refused again.
+      this.buffer.acknowledge(fixes.at(-1)?.at ?? 0);
       this.refused = thrown.message;
       return;
     }
-    this.cutOffSince ??= this.#lastTaken ?? this.#wall();
+    this.cutOffSince ??= this.#lastAccepted ?? this.#wall();
     if (this.#open) {
       this.#cancelRetry = this.#timers.after(RETRY_MILLISECONDS, () => void this.#send());
     }
