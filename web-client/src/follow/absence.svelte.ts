@@ -1,5 +1,5 @@
 import type { Follow, PhoneReach } from '../api/follows';
-import { HOLDS_AFTER_SECONDS, TOLD_AFTER_SECONDS } from './waiting';
+import { HOLDS_AFTER_SECONDS, WARN_AFTER_SECONDS } from './outage';
 
 /** blind: the phone was there, and did not know where it is; unanswered: it had a network, and heard nothing of the cloud. */
 export type AbsenceReason = Exclude<PhoneReach, 'speaks'> | 'blind' | 'unanswered';
@@ -81,12 +81,12 @@ export class AbsenceWatch {
     // A drone that follows only since then has not waited before.
     const from = Math.max(this.#lastPosition ?? heard, Date.parse(follow.since));
     const seconds = Math.round((heard - from) / 1000);
-    const over = follow.state === 'tracking' && seconds >= TOLD_AFTER_SECONDS;
+    const over = follow.state === 'tracking' && seconds >= WARN_AFTER_SECONDS;
     if (over) {
       this.#record(from, heard, now);
     }
     // A page that wakes up first reads what was said before it slept.
-    if (over || now - this.#noticed > TOLD_AFTER_SECONDS * 1000) {
+    if (over || now - this.#noticed > WARN_AFTER_SECONDS * 1000) {
       this.#known = null;
       this.#reported = null;
     }

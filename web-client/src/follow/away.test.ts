@@ -11,7 +11,7 @@ import { Phone } from './phone.svelte';
 import type { SendPositions } from './position-uplink.svelte';
 import type { Warning } from './warnings';
 import Warnings from './Warnings.svelte';
-import WorstInSight from './WorstInSight.svelte';
+import PinnedWarning from './PinnedWarning.svelte';
 
 afterEach(cleanup);
 
@@ -72,7 +72,7 @@ describe('the worst warning', () => {
   };
 
   it('stays in sight when the panel is scrolled, and only then', async () => {
-    render(WorstInSight, { props: { worst, children } });
+    render(PinnedWarning, { props: { worst, children } });
     expect(text()).not.toContain('No network.');
     await scroll(200);
     expect(screen.getByRole('button', { name: 'No network.' })).toBeTruthy();
@@ -81,7 +81,7 @@ describe('the worst warning', () => {
   });
 
   it('is none while all is well', async () => {
-    render(WorstInSight, { props: { worst: null, children } });
+    render(PinnedWarning, { props: { worst: null, children } });
     await scroll(200);
     expect(screen.queryByRole('button')).toBeNull();
   });

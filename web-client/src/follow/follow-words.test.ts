@@ -17,7 +17,7 @@ import {
   ACTIONS,
   actionText,
 } from './follow-words';
-import { meanwhile } from './waiting';
+import { outageState } from './outage';
 import { ALARM, Vibration } from './vibration';
 
 const STAGES: FollowStage[] = [
@@ -71,7 +71,7 @@ describe('the stages of a follow', () => {
     expect(stageWords(taken).title).toBe('Taken from you');
     expect(stageWords(taken).words).toContain('“Go on” takes it back.');
     expect(lineOf(taken)).toBe('Copter 1 was taken and does not follow olga');
-    expect(meanwhile(taken, 10).words).toBe('Nobody has Copter 1 any more.');
+    expect(outageState(taken, 10).words).toBe('Nobody has Copter 1 any more.');
     // The cloud leaves it to whoever has it.
     expect(actionText('stop', 'suspended').effect).toContain('keeps it; one that nobody has');
     expect(actionText('stop', 'tracking')).toBe(ACTIONS.stop);

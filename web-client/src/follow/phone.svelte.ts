@@ -6,7 +6,7 @@ import { notDoneWords } from './follow-words';
 import type { Fix, Locating, TargetSource } from './fix';
 import { PositionUplink, type SendPositions } from './position-uplink.svelte';
 import type { Follows } from '../state/follows.svelte';
-import { TOLD_AFTER_SECONDS } from './waiting';
+import { WARN_AFTER_SECONDS } from './outage';
 
 /** Longer between two updates means that the system had stopped the page. */
 const SLEPT_MILLISECONDS = 5_000;
@@ -67,7 +67,7 @@ export class Phone {
       this.uplink?.resumed();
     } else if (this.uplink !== null && this.uplink.cutOffSince !== null) {
       this.absence.suspect(this.online ? 'unanswered' : 'cut', now);
-    } else if (this.fix === null || now - this.fix.at > TOLD_AFTER_SECONDS * 1000) {
+    } else if (this.fix === null || now - this.fix.at > WARN_AFTER_SECONDS * 1000) {
       this.absence.suspect('blind', now);
     }
     this.#watch();

@@ -5,7 +5,7 @@ import { age } from '../ui/format';
 import { moved } from './fix';
 import { DEMO_NAME } from './following';
 import { isKeptBack } from './follow-words';
-import { silentSeconds } from './waiting';
+import { silentSeconds } from './outage';
 
 /** Somebody whom a drone stays with. */
 export interface Target {

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { warningsFor, type Signs } from './warnings';
+import { warningsFor, type PhoneStatus } from './warnings';
 
 const NOW = Date.parse('2026-01-01T12:00:00Z');
-const well: Signs = {
+const well: PhoneStatus = {
   now: NOW,
   leading: true,
   idle: false,
@@ -19,8 +19,9 @@ const well: Signs = {
   wake: 'held',
   battery: 80,
 };
-const keys = (change: Partial<Signs>): string[] => warningsFor({ ...well, ...change }).map(({ key }) => key);
-const words = (change: Partial<Signs>): string =>
+const keys = (change: Partial<PhoneStatus>): string[] =>
+  warningsFor({ ...well, ...change }).map(({ key }) => key);
+const words = (change: Partial<PhoneStatus>): string =>
   warningsFor({ ...well, ...change })
     .map((warning) => `${warning.words} ${warning.todo}`)
     .join(' ');

@@ -37,8 +37,8 @@ export interface MapEvents {
   /** Whether it meant something here; where it did not, letting go counts as a click. */
   onLongPress(place: Coordinates): boolean;
   onWaypointMoved(key: number, place: Coordinates): void;
-  /** `byHand`: somebody moved it, not the page. */
-  onMove(byHand: boolean): void;
+  /** `byUser`: somebody moved it, not the page. */
+  onMove(byUser: boolean): void;
   onGrid(stepMeters: number | null): void;
 }
 

@@ -1,9 +1,9 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import type { Coordinates } from '../geo/coordinates';
-import { CLOSEST_ZOOM, InSight, LEFT_ALONE_MILLISECONDS, type Sight } from './in-sight';
+import { CLOSEST_ZOOM, AutoFit, LEFT_ALONE_MILLISECONDS, type Viewport } from './auto-fit';
 
 /** A map whose pixels are metres east and north, 390 wide and 240 high. */
-class Flat implements Sight {
+class Flat implements Viewport {
   level = 14;
   readonly shows = ({ latitude, longitude }: Coordinates): boolean =>
     longitude >= 0 && longitude <= 390 && latitude >= 0 && latitude <= 240;
@@ -17,12 +17,12 @@ const me = at(100, 100);
 
 describe('a map that keeps person and drone in sight', () => {
   let map: Flat;
-  let inSight: InSight;
-  const isDue = (places: Coordinates[], now = 0): boolean => inSight.isDue(map, places, now);
+  let autoFit: AutoFit;
+  const isDue = (places: Coordinates[], now = 0): boolean => autoFit.isDue(map, places, now);
 
   beforeEach(() => {
     map = new Flat();
-    inSight = new InSight();
+    autoFit = new AutoFit();
   });
 
   it('is fitted when there is one more to see, as after a reload, and never to nobody', () => {
@@ -51,7 +51,7 @@ describe('a map that keeps person and drone in sight', () => {
 
   it('is left alone for a while when somebody moved it', () => {
     isDue([me, me]);
-    inSight.movedByHand(1_000);
+    autoFit.movedByUser(1_000);
     expect(isDue([me, at(400, 100)], 2_000)).toBe(false);
     expect(isDue([me, at(110, 110)], LEFT_ALONE_MILLISECONDS)).toBe(false);
     expect(isDue([me, at(400, 100)], 1_000 + LEFT_ALONE_MILLISECONDS)).toBe(true);

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { FollowStage } from '../api/follows';
 import { aFollow, aFollowNow } from '../testing';
 import { AbsenceWatch } from './absence.svelte';
-import { cutOffLine, meanwhile, silentSeconds } from './waiting';
+import { cutOffLine, outageState, silentSeconds } from './outage';
 
 const at = (second: number): string => new Date(Date.UTC(2026, 0, 1, 12, 0, second)).toISOString();
 const ms = (second: number): number => Date.parse(at(second));
@@ -12,16 +12,16 @@ const tracking = (heard: number, reach: 'speaks' | 'asleep' | 'cut' | 'gone' = '
 describe('what a drone does while its phone is silent', () => {
   it('counts down to its way home while it follows, and to nothing at any other stage', () => {
     const follow = aFollow({ state: 'tracking' });
-    expect(meanwhile(follow, 12)).toEqual({
+    expect(outageState(follow, 12)).toEqual({
       words: 'Copter 1 stands still in the air and waits.',
       homeIn: 48,
     });
-    expect(meanwhile(follow, 60)).toEqual({
+    expect(outageState(follow, 60)).toEqual({
       words: 'Copter 1 has waited long enough: by now it flies home and lands there.',
       homeIn: null,
     });
     const others: FollowStage[] = ['allocated', 'starting', 'paused', 'suspended', 'returning', 'over'];
-    const said = others.map((state) => meanwhile(aFollow({ state }), 12));
+    const said = others.map((state) => outageState(aFollow({ state }), 12));
     expect(new Set(said.map(({ words }) => words)).size).toBe(others.length);
     expect(said.filter(({ homeIn }) => homeIn !== null)).toEqual([]);
   });
