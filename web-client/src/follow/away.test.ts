@@ -6,7 +6,7 @@ import { Follows } from '../state/follows.svelte';
 import { STATION, Station } from '../state/station.svelte';
 import { aFollow, aFollowNow } from '../testing';
 import CutOff from './CutOff.svelte';
-import FollowShelf from './FollowShelf.svelte';
+import FollowOverview from './FollowOverview.svelte';
 import { Phone } from './phone.svelte';
 import type { SendPositions } from './position-uplink.svelte';
 import type { Warning } from './warnings';
@@ -90,10 +90,10 @@ describe('the worst warning', () => {
 describe('the page of a phone that was away', () => {
   const taken = vi.fn<SendPositions>().mockResolvedValue({ upTo: null });
 
-  function open(first: Follow, say: SendPositions = taken): { phone: Phone; follows: Follows } {
+  function open(first: Follow, send: SendPositions = taken): { phone: Phone; follows: Follows } {
     const follows = new Follows(new FollowCalls(vi.fn()));
     follows.apply(first);
-    const phone = new Phone({ follows, sender: () => say });
+    const phone = new Phone({ follows, sender: () => send });
     phone.now = BEGAN;
     return { phone, follows };
   }
@@ -143,18 +143,18 @@ describe('the page of a phone that was away', () => {
     expect(phone.absence.last).toMatchObject({ why: 'gone', seconds: 24, waited: 22 });
   });
 
-  it('does not say that it knows no place before its receiver had a moment', () => {
-    const say = vi.fn<SendPositions>().mockResolvedValue({ upTo: null });
+  it('does not report that it knows no place before its receiver had a moment', () => {
+    const send = vi.fn<SendPositions>().mockResolvedValue({ upTo: null });
     const clock = vi.spyOn(performance, 'now').mockReturnValue(1_000);
-    const { phone } = open(following(10, 'speaks'), say);
+    const { phone } = open(following(10, 'speaks'), send);
     phone.resume(following(10, 'speaks'));
     phone.update(BEGAN + 1_000);
     clock.mockReturnValue(20_000);
     phone.update(BEGAN + 20_000);
-    expect(say).not.toHaveBeenCalled();
+    expect(send).not.toHaveBeenCalled();
     clock.mockReturnValue(22_000);
     phone.update(BEGAN + 22_000);
-    expect(say).toHaveBeenCalledOnce();
+    expect(send).toHaveBeenCalledOnce();
     clock.mockRestore();
   });
 
@@ -173,7 +173,7 @@ describe('the station', () => {
     vi.spyOn(station.rest.follows, 'all').mockResolvedValue([]);
     station.follows.apply(follow);
     station.clock.now = BEGAN + second * 1000;
-    render(FollowShelf, { context: new Map([[STATION, station]]) });
+    render(FollowOverview, { context: new Map([[STATION, station]]) });
   }
 
   it('tells that a phone is silent, why, for how long, and what the drone will do', async () => {

@@ -38,13 +38,13 @@ export class DemoWalk implements TargetSource {
 
   start(listener: SourceListener): () => void {
     const began = Date.now();
-    const say = (): void => {
+    const emit = (): void => {
       const now = Date.now();
       listener.onFix(demoFix(this.#begin, (now - began) / SECOND, now));
     };
     listener.onLocating('on');
-    say();
-    const handle = setInterval(say, SECOND);
+    emit();
+    const handle = setInterval(emit, SECOND);
     return () => clearInterval(handle);
   }
 }

@@ -3,16 +3,16 @@ import type { FollowStage } from '../api/follows';
 import { aDrone, aFollow } from '../testing';
 import { demoFix, TRACK } from './demo-walk';
 import { distanceMeters } from '../geo/distance';
-import { choosable, demoBegin, mine, placeChange } from './following';
+import { availableDrones, demoBegin, mine, placeChange } from './following';
 import {
   isIdle,
-  isLed,
+  dependsOnPhone,
   lineOf,
   meantimeWords,
   offered,
   othersWords,
   placeWords,
-  shelfNote,
+  overviewNote,
   stageWords,
   ACTIONS,
   actionText,
@@ -78,8 +78,8 @@ describe('the stages of a follow', () => {
   });
 
   it('hang on the phone while it leads the drone', () => {
-    expect(STAGES.filter((state) => isLed(aFollow({ state })))).toEqual(['starting', 'tracking']);
-    expect(isLed(null)).toBe(false);
+    expect(STAGES.filter((state) => dependsOnPhone(aFollow({ state })))).toEqual(['starting', 'tracking']);
+    expect(dependsOnPhone(null)).toBe(false);
     expect(STAGES.filter((state) => isIdle(aFollow({ state })))).toEqual(['returning', 'over']);
     expect(isIdle(null)).toBe(false);
   });
@@ -95,10 +95,10 @@ describe('the closed list of the station', () => {
   it('says first what is wrong, in few words', () => {
     const well = aFollow({ state: 'tracking' });
     const kept = aFollow({ id: 'f2', state: 'tracking', note: 'A zone is in its way.' });
-    expect(shelfNote([], () => false)).toBe('');
-    expect(shelfNote([well, well], () => false)).toBe('2 under way');
-    expect(shelfNote([well, kept], () => false)).toBe('1 held up of 2');
-    expect(shelfNote([well, kept], (follow) => follow === well)).toBe('1 silent of 2');
+    expect(overviewNote([], () => false)).toBe('');
+    expect(overviewNote([well, well], () => false)).toBe('2 under way');
+    expect(overviewNote([well, kept], () => false)).toBe('1 held up of 2');
+    expect(overviewNote([well, kept], (follow) => follow === well)).toBe('1 silent of 2');
   });
 });
 
@@ -180,7 +180,7 @@ describe('who is asked', () => {
 
   it('are drones that can be heard and know their home', () => {
     const lost = aDrone({ id: 'd2', link: { ...drone.link, state: 'lost' } });
-    expect(choosable([drone, lost, aDrone({ home: null }), aDrone({ replay: true })])).toEqual([drone]);
+    expect(availableDrones([drone, lost, aDrone({ home: null }), aDrone({ replay: true })])).toEqual([drone]);
   });
 
   it('is not the follow of somebody else, nor one that is over', () => {
@@ -214,24 +214,24 @@ describe('what the hand feels', () => {
     const vibration = new Vibration((pattern) => felt.push(pattern));
     const starting = aFollow({ state: 'starting' });
     const tracking = aFollow({ state: 'tracking' });
-    vibration.feel(null, []);
-    vibration.feel(starting, []);
-    vibration.feel(starting, []);
-    vibration.feel(tracking, []);
+    vibration.update(null, []);
+    vibration.update(starting, []);
+    vibration.update(starting, []);
+    vibration.update(tracking, []);
     expect(felt).toHaveLength(2);
-    vibration.feel(tracking, ['cut-off']);
-    vibration.feel(tracking, ['cut-off']);
+    vibration.update(tracking, ['cut-off']);
+    vibration.update(tracking, ['cut-off']);
     expect(felt.slice(2)).toEqual([[...ALARM]]);
-    vibration.feel(tracking, []);
-    vibration.feel(tracking, ['cut-off']);
+    vibration.update(tracking, []);
+    vibration.update(tracking, ['cut-off']);
     expect(felt).toHaveLength(4);
   });
 
   it('is another drone that has taken over', () => {
     const felt: number[][] = [];
     const vibration = new Vibration((pattern) => felt.push(pattern));
-    vibration.feel(aFollow({ state: 'tracking' }), []);
-    vibration.feel(aFollow({ state: 'tracking', drone: 'd2' }), []);
+    vibration.update(aFollow({ state: 'tracking' }), []);
+    vibration.update(aFollow({ state: 'tracking', drone: 'd2' }), []);
     expect(felt).toHaveLength(2);
   });
 });

@@ -41,15 +41,15 @@ const STAGES: Record<FollowStage, (drone: string) => StageWords> = {
   over: (drone) => ({ title: 'Over', tone: 'neutral', words: `${drone} is free again.` }),
 };
 
-/** Something keeps it from following: the cloud says what. */
-export function isKeptBack({ state, note }: Follow): boolean {
+/** Something keeps it from following, as the note of the cloud says. */
+export function isHeldUp({ state, note }: Follow): boolean {
   return state === 'tracking' && note !== null;
 }
 
 /** `unled`: the page knows that what it says leads no drone now. */
 export function stageWords(follow: Follow, unled = false): StageWords {
   const { state, droneName, note } = follow;
-  if (isKeptBack(follow) || (unled && state === 'tracking')) {
+  if (isHeldUp(follow) || (unled && state === 'tracking')) {
     return {
       title: 'Not following now',
       tone: 'amber',
@@ -164,12 +164,12 @@ export function meantimeWords({ told, since, state, note }: Follow, { from, wait
   return `The drone stood and waited for ${span(waited)}.${again}`;
 }
 
-/** A drone in the air hangs on what this phone says. */
-export function isLed(follow: Follow | null): boolean {
+/** A drone in the air needs positions of this phone. */
+export function dependsOnPhone(follow: Follow | null): boolean {
   return follow !== null && (follow.state === 'starting' || follow.state === 'tracking');
 }
 
-/** Nothing hangs on what this phone says any more, neither for this drone nor for one that comes. */
+/** No drone needs positions of this phone any more, neither this one nor a relief. */
 export function isIdle(follow: Follow | null): boolean {
   return (
     follow !== null &&
@@ -193,22 +193,22 @@ export function placeWords(place: FollowPlace, who = 'you'): string {
   return `${Math.round(place.distance)} m ${where} ${who}, ${Math.round(place.height)} m up`;
 }
 
-/** How all of them stand, for a narrow place: what is wrong goes first. */
-export function shelfNote(follows: readonly Follow[], isSilent: (follow: Follow) => boolean): string {
+/** A summary of all follows in a few words, problems first. */
+export function overviewNote(follows: readonly Follow[], isSilent: (follow: Follow) => boolean): string {
   const silent = follows.filter(isSilent).length;
-  const keptBack = follows.filter((follow) => isKeptBack(follow) && !isSilent(follow)).length;
-  if (silent + keptBack > 0) {
-    return silent > 0 ? `${silent} silent of ${follows.length}` : `${keptBack} held up of ${follows.length}`;
+  const heldUp = follows.filter((follow) => isHeldUp(follow) && !isSilent(follow)).length;
+  if (silent + heldUp > 0) {
+    return silent > 0 ? `${silent} silent of ${follows.length}` : `${heldUp} held up of ${follows.length}`;
   }
   return follows.length === 0 ? '' : `${follows.length} under way`;
 }
 
-/** Who is followed, by which drone, and how it stands; for the ground station. `waits`: no positions come. */
+/** One follow in one line for the ground station. `waits`: no positions come. */
 export function lineOf(follow: Follow, waits = false): string {
   const words: Record<FollowStage, string> = {
     allocated: 'is kept for',
     starting: 'takes off for',
-    tracking: isKeptBack(follow) ? 'is not following' : 'follows',
+    tracking: isHeldUp(follow) ? 'is not following' : 'follows',
     paused: 'waits in the air for',
     suspended: 'was taken and does not follow',
     returning: 'flies home from',

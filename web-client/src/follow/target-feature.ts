@@ -4,7 +4,7 @@ import type { Coordinates } from '../geo/coordinates';
 import { age } from '../ui/format';
 import { moved } from './fix';
 import { DEMO_NAME } from './following';
-import { isKeptBack } from './follow-words';
+import { isHeldUp } from './follow-words';
 import { silentSeconds } from './outage';
 
 /** Somebody whom a drone stays with. */
@@ -58,7 +58,7 @@ export function followFeatures(
         label: follow.name === DEMO_NAME ? `${follow.owner}, a demo walk` : follow.owner,
         age: silent === null ? '' : age(silent * 1000),
         tone:
-          silent !== null || isKeptBack(follow) ? 'amber' : follow.state === 'tracking' ? 'green' : 'neutral',
+          silent !== null || isHeldUp(follow) ? 'amber' : follow.state === 'tracking' ? 'green' : 'neutral',
       };
       return targetFeatures(target, droneAt(follow.drone));
     }),

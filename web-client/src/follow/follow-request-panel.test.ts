@@ -3,7 +3,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { FollowCalls } from '../api/follows';
 import { Follows } from '../state/follows.svelte';
 import { STATION, Station } from '../state/station.svelte';
-import AskPanel from './AskPanel.svelte';
+import FollowRequestPanel from './FollowRequestPanel.svelte';
 import { Phone } from './phone.svelte';
 
 const WALK = 'I am indoors: use a demo walk';
@@ -27,7 +27,7 @@ describe('where the target is', () => {
 
   async function press(name: string): Promise<void> {
     const props = { phone, wanted: null, demoPossible: true, ...calls };
-    render(AskPanel, { props, context: new Map([[STATION, new Station()]]) });
+    render(FollowRequestPanel, { props, context: new Map([[STATION, new Station()]]) });
     await fireEvent.click(screen.getByRole('button', { name }));
   }
 
