@@ -79,7 +79,7 @@ function isObject(value: unknown): value is Record<string, unknown> {
 }
 
 /** Where and how high a key lets fly, in a few words; empty when everywhere. */
-export function boundsLine({ area, floor, ceiling, altitudeReference }: KeyBounds): string {
+export function boundsText({ area, floor, ceiling, altitudeReference }: KeyBounds): string {
   const parts: string[] = [];
   if (area !== null) {
     parts.push(area.type === 'Point' ? `within ${area.radius ?? 0} m of a place` : 'within an area');

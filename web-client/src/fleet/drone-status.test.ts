@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { LinkState } from '../api/types';
 import { droneFeatures } from '../map/features';
 import { aDrone } from '../testing';
-import { linkWord, statusOf } from './drone-status';
+import { linkStateText, statusOf } from './drone-status';
 
 const replayed = (state: LinkState) =>
   aDrone({ replay: true, armed: true, link: { ...aDrone().link, state } });
@@ -10,7 +10,7 @@ const replayed = (state: LinkState) =>
 describe('status', () => {
   it('calls a replay that has ended just that, and no lost drone', () => {
     expect(statusOf(replayed('ended'))).toEqual({ word: 'Replay ended', tone: 'neutral' });
-    expect(linkWord('ended')).toBe('Ended');
+    expect(linkStateText('ended')).toBe('Ended');
   });
 
   it('does not count on the map how long ago a replay ended', () => {

@@ -57,7 +57,7 @@ export function kindName(kind: DroneKind): string {
   return KIND_NAMES[kind];
 }
 
-export function armedWordOf(drone: Drone): string {
+export function armedText(drone: Drone): string {
   if (drone.armed === null) {
     return 'Armed or not: unknown';
   }
@@ -72,7 +72,7 @@ const LINK_WORDS: Record<LinkState, string> = {
 };
 
 /** `cut`: this page has no line to the cloud, and does not know how the cloud's link to the drone stands. */
-export function linkWord(state: LinkState, cut = false): string {
+export function linkStateText(state: LinkState, cut = false): string {
   return cut && state !== 'ended' ? 'No line' : LINK_WORDS[state];
 }
 

@@ -5,14 +5,7 @@ import { STATION, Station } from '../state/station.svelte';
 import { aDrone, anOutlook } from '../testing';
 import { minuteOfDay } from '../ui/format';
 import FleetRow from './FleetRow.svelte';
-import {
-  batteryWords,
-  countdownOf,
-  landingWords,
-  landsElsewhere,
-  noticeOf,
-  spokenCountdown,
-} from './outlook';
+import { batteryText, countdownOf, landingText, landsElsewhere, noticeOf, spokenCountdown } from './outlook';
 
 const NOON = Date.parse('2026-01-01T12:00:00Z');
 
@@ -29,7 +22,7 @@ describe('what becomes of a drone', () => {
     const circles = flying({ comesDown: null, latitude: null, longitude: null });
     expect(countdownOf(circles, NOON)?.words).toBe('Brought home in 12 s');
     expect(noticeOf(circles, null)?.words).toBe('Nobody’s · home');
-    expect(landingWords(circles)).toBeNull();
+    expect(landingText(circles)).toBeNull();
   });
 
   it('counts nothing where somebody has it, on the ground, or without a line', () => {
@@ -62,7 +55,7 @@ describe('what becomes of a drone', () => {
     expect(countdownOf(helpless, NOON)).toEqual({ words: 'No safe way down is known', tone: 'red' });
     expect(noticeOf(helpless, null)?.words).toBe('Nobody’s · no safe way down');
     expect(spokenCountdown(helpless, NOON)).toBe('No safe way down is known: take control of it.');
-    expect(landingWords(helpless)).toBeNull();
+    expect(landingText(helpless)).toBeNull();
   });
 
   it('is no alarm where somebody has it, or where it is not for this cloud to bring down', () => {
@@ -73,10 +66,10 @@ describe('what becomes of a drone', () => {
   });
 
   it('tells how far away it comes down, but not of a place where it is', () => {
-    expect(landingWords(flying())).toBe('home, 500 m away');
-    expect(landingWords(flying({ latitude: 47.39771, comesDown: 'where it is' }))).toBe('where it is');
-    expect(landingWords(flying({ latitude: null, longitude: null }))).toBe('home');
-    expect(landingWords({ ...flying(), position: null })).toBe('home');
+    expect(landingText(flying())).toBe('home, 500 m away');
+    expect(landingText(flying({ latitude: 47.39771, comesDown: 'where it is' }))).toBe('where it is');
+    expect(landingText(flying({ latitude: null, longitude: null }))).toBe('home');
+    expect(landingText({ ...flying(), position: null })).toBe('home');
     expect(landsElsewhere(flying())).toEqual({ latitude: 47.4022, longitude: 8.5456 });
     expect(landsElsewhere(flying({ latitude: 47.39771 }))).toBeNull();
   });
@@ -84,9 +77,9 @@ describe('what becomes of a drone', () => {
   it('tells until when its battery lasts, in the time of day and in minutes', () => {
     const at = minuteOfDay('2026-01-01T12:32:00Z');
     expect(at).not.toMatch(/:\d\d:/);
-    expect(batteryWords(anOutlook(), NOON)).toBe(`until about ${at} (32 min)`);
-    expect(batteryWords(anOutlook(), NOON + 31.5 * 60_000)).toBe(`until about ${at} (less than 1 min)`);
-    expect(batteryWords(anOutlook({ emptyAt: null }), NOON)).toBeNull();
+    expect(batteryText(anOutlook(), NOON)).toBe(`until about ${at} (32 min)`);
+    expect(batteryText(anOutlook(), NOON + 31.5 * 60_000)).toBe(`until about ${at} (less than 1 min)`);
+    expect(batteryText(anOutlook({ emptyAt: null }), NOON)).toBeNull();
   });
 
   it('marks a row by words', async () => {

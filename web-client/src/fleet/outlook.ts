@@ -40,7 +40,7 @@ export function landsElsewhere(drone: Drone | null): Coordinates | null {
 }
 
 /** "home, 320 m away"; null: nowhere that is known. */
-export function landingWords(drone: Drone): string | null {
+export function landingText(drone: Drone): string | null {
   const { outlook } = drone;
   if (!outlook?.comesDown) {
     return null;
@@ -50,7 +50,7 @@ export function landingWords(drone: Drone): string | null {
 }
 
 /** "until about 14:32 (11 min)"; null: not known. */
-export function batteryWords({ emptyAt }: Outlook, now: number): string | null {
+export function batteryText({ emptyAt }: Outlook, now: number): string | null {
   if (emptyAt === null) {
     return null;
   }

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { FollowStage } from '../api/follows';
 import { aFollow, aFollowNow } from '../testing';
 import { AbsenceWatch } from './absence.svelte';
-import { cutOffLine, outageState, silentSeconds } from './outage';
+import { cutOffSummary, outageState, silentSeconds } from './outage';
 
 const at = (second: number): string => new Date(Date.UTC(2026, 0, 1, 12, 0, second)).toISOString();
 const ms = (second: number): number => Date.parse(at(second));
@@ -28,9 +28,9 @@ describe('what a drone does while its phone is silent', () => {
 
   it('stands in a line, and counts down only where the cloud leads it', () => {
     const follow = aFollow({ state: 'tracking' });
-    expect(cutOffLine(follow, 12, false)).toBe('No network. Copter 1 flies home in 48 s.');
-    expect(cutOffLine(follow, 12, true)).toBe('The cloud does not answer.');
-    expect(cutOffLine(aFollow({ state: 'paused' }), 12, false)).toBe('No network.');
+    expect(cutOffSummary(follow, 12, false)).toBe('No network. Copter 1 flies home in 48 s.');
+    expect(cutOffSummary(follow, 12, true)).toBe('The cloud does not answer.');
+    expect(cutOffSummary(aFollow({ state: 'paused' }), 12, false)).toBe('No network.');
   });
 
   it('is told to the station when it counts: not for a position that is a little late', () => {

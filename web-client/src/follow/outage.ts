@@ -56,7 +56,7 @@ export function outageAlternatives(
 }
 
 /** The same in one line. */
-export function cutOffLine(follow: Follow, silentSeconds: number, online: boolean): string {
+export function cutOffSummary(follow: Follow, silentSeconds: number, online: boolean): string {
   const { homeIn } = outageState(follow, silentSeconds);
   const home = online || homeIn === null ? '' : ` ${follow.droneName} flies home in ${span(homeIn)}.`;
   return `${cutOffTitle(online)}.${home}`;

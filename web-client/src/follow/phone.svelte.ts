@@ -2,7 +2,7 @@ import type { Follow, FollowOrder, FollowStage, FollowAction, PlaceChange } from
 import { Problem, sentenceFor } from '../api/problem';
 import { browserTimers } from '../api/stream';
 import { AbsenceWatch } from './absence.svelte';
-import { notDoneWords } from './follow-words';
+import { notDoneText } from './follow-text';
 import type { Fix, Locating, TargetSource } from './fix';
 import { PositionUplink, type SendPositions } from './position-uplink.svelte';
 import type { Follows } from '../state/follows.svelte';
@@ -201,7 +201,7 @@ export class Phone {
       this.#origin = { at: this.now, stage, unreached };
       this.problem =
         unreached && stage !== null && what !== 'ask' && what !== 'place'
-          ? notDoneWords(what, stage, navigator.onLine)
+          ? notDoneText(what, stage, navigator.onLine)
           : sentenceFor(thrown);
     } finally {
       this.busy = null;

@@ -4,7 +4,7 @@ import type { Coordinates } from '../geo/coordinates';
 import { age } from '../ui/format';
 import { moved } from './fix';
 import { DEMO_NAME } from './following';
-import { isHeldUp } from './follow-words';
+import { isHeldUp } from './follow-text';
 import { silentSeconds } from './outage';
 
 /** Somebody whom a drone stays with. */

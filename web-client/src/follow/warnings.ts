@@ -104,10 +104,10 @@ function standsAndWaits(patience: number | null, seconds: number | null): string
 function cutOff({ now, cutOffSince, online }: PhoneStatus): Warning | null {
   return cutOffSince === null
     ? null
-    : { key: 'cut-off', tone: 'red', words: cutOffWords(cutOffSince, now), todo: cutOffTodo(online) };
+    : { key: 'cut-off', tone: 'red', words: cutOffText(cutOffSince, now), todo: cutOffTodo(online) };
 }
 
-export function cutOffWords(since: number, now: number): string {
+export function cutOffText(since: number, now: number): string {
   const seconds = Math.max(0, Math.floor((now - since) / 1000));
   return `Cut off from the cloud since ${timeOfDay(new Date(since).toISOString())}, ${span(seconds)} ago.`;
 }

@@ -49,7 +49,7 @@ function droneProperties(
     selected,
     opacity: cut || state !== 'live' ? 0.55 : 1,
     label: drone.replay ? `${drone.name} · replay` : drone.name,
-    age: ageWords(drone, silence, cut),
+    age: ageText(drone, silence, cut),
     rank: selected ? 0 : 1,
   };
 }
@@ -59,7 +59,7 @@ function headingOf({ motion, attitude }: Drone): number | null {
 }
 
 /** How old a silent drone's place is; a recording that was played to its end ages no more. */
-function ageWords({ link }: Drone, silence: number | null, cut: boolean): string {
+function ageText({ link }: Drone, silence: number | null, cut: boolean): string {
   const old = link.state === 'suspect' || link.state === 'lost' || (cut && link.state === 'live');
   return old ? age(silence) : '';
 }

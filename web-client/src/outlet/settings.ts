@@ -35,7 +35,7 @@ export function waysIn(endpoints: readonly string[], host: string): WayIn[] {
   });
 }
 
-export function wayWords({ scheme, host, port }: WayIn): string {
+export function addressText({ scheme, host, port }: WayIn): string {
   return scheme === 'ws' || scheme === 'wss'
     ? `${scheme}://${host}:${port}`
     : `${scheme.toUpperCase()} ${host}:${port}`;

@@ -25,7 +25,7 @@ export function whyNoStop(drone: Drone): string | null {
 
 export type AttemptTone = 'busy' | 'good' | 'bad';
 
-export interface AttemptWords {
+export interface AttemptText {
   tone: AttemptTone;
   words: string;
 }
@@ -40,20 +40,20 @@ const GOES_ON: ReadonlySet<CommandKind> = new Set([
 ]);
 
 /** What became of a press, in words. */
-export function wordsFor(attempt: Attempt): AttemptWords {
+export function attemptText(attempt: Attempt): AttemptText {
   if (attempt.problem !== null) {
     return { tone: 'bad', words: `Not sent. ${attempt.problem}` };
   }
   if (attempt.phase !== 'done') {
-    return { tone: 'busy', words: busyWords(attempt) };
+    return { tone: 'busy', words: progressText(attempt) };
   }
   if (attempt.outcome?.result === 'succeeded' && GOES_ON.has(attempt.type)) {
     return { tone: 'good', words: 'Done: it is under way' };
   }
-  return endWords(attempt.outcome);
+  return outcomeText(attempt.outcome);
 }
 
-function endWords(outcome: Outcome | null): AttemptWords {
+function outcomeText(outcome: Outcome | null): AttemptText {
   const reason = outcome?.reason ? ` ${outcome.reason}` : '';
   switch (outcome?.result) {
     case 'succeeded':
@@ -71,7 +71,7 @@ function endWords(outcome: Outcome | null): AttemptWords {
   }
 }
 
-function busyWords(attempt: Attempt): string {
+function progressText(attempt: Attempt): string {
   const part = attempt.progress === null ? '' : ` ${attempt.progress.done} of ${attempt.progress.total}`;
   switch (attempt.phase) {
     case 'sending':

@@ -6,7 +6,7 @@ export function fliesAtOnce({ waiting }: Prospects): Prospect | null {
   return waiting.find((one) => one.flies) ?? null;
 }
 
-export function flightWords({ name, owner, waypoints }: Prospect): string {
+export function prospectText({ name, owner, waypoints }: Prospect): string {
   const what =
     name === null ? 'a virtual drone of somebody else' : `“${name}”${owner === null ? '' : ` of ${owner}`}`;
   return `${what} (${counted(waypoints, 'waypoint')})`;
@@ -18,7 +18,7 @@ export function afterwards(told: Prospects): string[] {
   return told.waiting
     .filter((one) => one !== first)
     .map((one) =>
-      one.flies ? `Then ${flightWords(one)}.` : `Not for ${flightWords(one)}: ${one.why ?? ''}`,
+      one.flies ? `Then ${prospectText(one)}.` : `Not for ${prospectText(one)}: ${one.why ?? ''}`,
     );
 }
 

@@ -2,8 +2,8 @@ import type { Feature, FeatureCollection, Position } from 'geojson';
 import type { Barrier, MissionRun, RunDrone } from '../api/runs';
 import type { Zone } from '../api/zones';
 import type { Coordinates } from '../geo/coordinates';
-import { TOUR_TONES } from '../tours/tour-line';
-import { WAYPOINT_LOOKS } from './run-line';
+import { TOUR_TONES } from '../tours/tour-text';
+import { WAYPOINT_LOOKS } from './run-text';
 
 /** Further drones begin anew. */
 export function toneOf(run: MissionRun, drone: string): number {

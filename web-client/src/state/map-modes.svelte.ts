@@ -1,7 +1,7 @@
 import { untrack } from 'svelte';
 import { mayAct, type Role } from '../api/accounts';
 import type { Coordinates } from '../geo/coordinates';
-import { isSettled } from '../runs/run-line';
+import { isSettled } from '../runs/run-text';
 import type { Station } from './station.svelte';
 import { FLEET_DRAFT } from './tours.svelte';
 

@@ -2,7 +2,7 @@ import type { FleetPlan, PlanAim, PlanCalls, PlanObjective, PlanWaypoint } from 
 import { Problem, sentenceFor } from '../api/problem';
 import type { Coordinates } from '../geo/coordinates';
 import { NO_DEMAND, type Demand } from '../tours/demand';
-import { isUnderWay } from '../tours/tour-line';
+import { isUnderWay } from '../tours/tour-text';
 
 /** The name under which the editor keeps the waypoints for several drones; no drone is called so. */
 export const FLEET_DRAFT = '#fleet';

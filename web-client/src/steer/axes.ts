@@ -112,16 +112,16 @@ function rounded(value: number): number {
 }
 
 /** "0.3 m/s ahead, turning right", for people. */
-export function wordsOf(velocity: Velocity): string {
+export function velocityText(velocity: Velocity): string {
   const parts = [
-    speedWords(velocity.forward, 'ahead', 'back'),
-    speedWords(velocity.right, 'right', 'left'),
-    speedWords(-velocity.down, 'up', 'down'),
+    speedText(velocity.forward, 'ahead', 'back'),
+    speedText(velocity.right, 'right', 'left'),
+    speedText(-velocity.down, 'up', 'down'),
     velocity.turn === 0 ? '' : `turning ${velocity.turn > 0 ? 'right' : 'left'}`,
   ].filter((part) => part !== '');
   return parts.length === 0 ? 'standing still' : parts.join(', ');
 }
 
-function speedWords(speed: number, positive: string, negative: string): string {
+function speedText(speed: number, positive: string, negative: string): string {
   return speed === 0 ? '' : `${Math.abs(speed).toFixed(1)} m/s ${speed > 0 ? positive : negative}`;
 }

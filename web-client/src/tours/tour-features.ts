@@ -1,7 +1,7 @@
 import type { Feature, FeatureCollection, Position } from 'geojson';
 import type { FleetPlan, PlanPlace } from '../api/plans';
 import type { Coordinates } from '../geo/coordinates';
-import { toneOf } from './tour-line';
+import { toneOf } from './tour-text';
 
 /** One line a drone: straight from waypoint to waypoint while it is searched for, then as it is flown. */
 export function tourFeatures(

@@ -7,13 +7,13 @@ import { NO_DEMAND } from './demand';
 import {
   barsOf,
   compared,
-  flightLine,
-  gapLine,
-  orderLine,
-  stateLine,
+  flightText,
+  gapText,
+  orderText,
+  stateText,
   stepsOf,
   waypointsOf,
-} from './tour-line';
+} from './tour-text';
 import { tourFeatures } from './tour-features';
 import { whyNotAsked, whyNotWished } from './wishes';
 
@@ -69,19 +69,19 @@ function plan(change: Partial<FleetPlan>): FleetPlan {
 
 describe('a plan for several drones', () => {
   it('never calls itself better than it is proved to be', () => {
-    expect(gapLine(progress({ gap: 0.071 }))).toBe('The best plan there is may be up to 8 % better.');
-    expect(gapLine(progress({ gap: 0 }))).toBe('This is the best plan there is.');
-    expect(gapLine(progress({ gap: 1, unserved: 2 }))).toBe('2 waypoints left out.');
+    expect(gapText(progress({ gap: 0.071 }))).toBe('The best plan there is may be up to 8 % better.');
+    expect(gapText(progress({ gap: 0 }))).toBe('This is the best plan there is.');
+    expect(gapText(progress({ gap: 1, unserved: 2 }))).toBe('2 waypoints left out.');
   });
 
   it('says how far it is', () => {
-    expect(stateLine(plan({}))).toBe('Looking for a first plan …');
-    expect(stateLine(plan({ progress: progress({ longestSeconds: 100 }) }))).toBe(
+    expect(stateText(plan({}))).toBe('Looking for a first plan …');
+    expect(stateText(plan({ progress: progress({ longestSeconds: 100 }) }))).toBe(
       'Getting better: all done after 1 min 40 s.',
     );
-    expect(stateLine(plan({ state: 'failed', why: 'No.' }))).toBe('No.');
+    expect(stateText(plan({ state: 'failed', why: 'No.' }))).toBe('No.');
     expect(
-      flightLine({ drone: 'd1', name: 'd1', stage: 'failed', why: 'No.', code: 'not-armed', command: null }),
+      flightText({ drone: 'd1', name: 'd1', stage: 'failed', why: 'No.', code: 'not-armed', command: null }),
     ).toBe('failed: No.');
   });
 
@@ -227,7 +227,7 @@ describe('a plan for several drones', () => {
   });
 
   it('tells what a better order saves, and changes the draft only as a whole', () => {
-    const line = orderLine({
+    const line = orderText({
       order: [1, 0],
       before: { seconds: 100, distance: 900 },
       after: { seconds: 70, distance: 640 },

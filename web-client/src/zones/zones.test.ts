@@ -4,7 +4,7 @@ import { Zones } from '../state/zones.svelte';
 import { aZone } from '../testing';
 import { draftOf, featureOf, missing, newZone, withoutLastPoint, withPoint } from './zone-draft';
 import { ringOf, zoneDraftFeatures, zoneFeatures } from './zone-features';
-import { zoneLine } from './zone-line';
+import { zoneText } from './zone-text';
 
 const HERE = { latitude: 47, longitude: 8 };
 
@@ -117,9 +117,9 @@ describe('a zone on the map', () => {
 
 describe('the list of zones', () => {
   it('says in one line what a zone means', () => {
-    expect(zoneLine(aZone(), () => null)).toBe('keep out · at any height · on breach hold');
+    expect(zoneText(aZone(), () => null)).toBe('keep out · at any height · on breach hold');
     expect(
-      zoneLine(
+      zoneText(
         aZone({ kind: 'inclusion', floor: 10, ceiling: 60, drone: 'd1', onBreach: 'land' }),
         () => 'Eagle',
       ),

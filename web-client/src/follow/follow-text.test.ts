@@ -7,16 +7,16 @@ import { availableDrones, demoBegin, mine, placeChange } from './following';
 import {
   isIdle,
   dependsOnPhone,
-  lineOf,
-  meantimeWords,
+  followText,
+  absenceText,
   offered,
-  othersWords,
-  placeWords,
+  otherDroneTexts,
+  placeText,
   overviewNote,
-  stageWords,
+  stageText,
   ACTIONS,
   actionText,
-} from './follow-words';
+} from './follow-text';
 import { outageState } from './outage';
 import { ALARM, Vibration } from './vibration';
 
@@ -32,7 +32,7 @@ const STAGES: FollowStage[] = [
 
 describe('the stages of a follow', () => {
   it('have words of their own each, and name the drone', () => {
-    const all = STAGES.map((state) => stageWords(aFollow({ state })));
+    const all = STAGES.map((state) => stageText(aFollow({ state })));
     expect(new Set(all.map(({ title }) => title)).size).toBe(STAGES.length);
     all.forEach(({ words }) => expect(words).toContain('Copter 1'));
   });
@@ -40,11 +40,11 @@ describe('the stages of a follow', () => {
   it('do not say that it follows while it does not', () => {
     const note = 'The phone says nothing any more. Copter 1 waits.';
     const waits = aFollow({ state: 'tracking', note });
-    expect(stageWords(waits)).toEqual({ title: 'Not following now', tone: 'amber', words: note });
-    expect(lineOf(waits)).toBe('Copter 1 is not following olga');
-    const unled = stageWords(aFollow({ state: 'tracking' }), true);
+    expect(stageText(waits)).toEqual({ title: 'Not following now', tone: 'amber', words: note });
+    expect(followText(waits)).toBe('Copter 1 is not following olga');
+    const unled = stageText(aFollow({ state: 'tracking' }), true);
     expect(unled).toEqual({ title: 'Not following now', tone: 'amber', words: 'Copter 1 is not led now.' });
-    expect(stageWords(aFollow({ state: 'paused' }), true).title).toBe('Paused');
+    expect(stageText(aFollow({ state: 'paused' }), true).title).toBe('Paused');
   });
 
   it('offer what the cloud would take, and nothing else', () => {
@@ -68,9 +68,9 @@ describe('the stages of a follow', () => {
 
   it('do not say who has a drone that was taken: the follow does', () => {
     const taken = aFollow({ state: 'suspended', note: 'Nobody has Copter 1 any more.' });
-    expect(stageWords(taken).title).toBe('Taken from you');
-    expect(stageWords(taken).words).toContain('“Go on” takes it back.');
-    expect(lineOf(taken)).toBe('Copter 1 was taken and does not follow olga');
+    expect(stageText(taken).title).toBe('Taken from you');
+    expect(stageText(taken).words).toContain('“Go on” takes it back.');
+    expect(followText(taken)).toBe('Copter 1 was taken and does not follow olga');
     expect(outageState(taken, 10).words).toBe('Nobody has Copter 1 any more.');
     // The cloud leaves it to whoever has it.
     expect(actionText('stop', 'suspended').effect).toContain('keeps it; one that nobody has');
@@ -85,9 +85,9 @@ describe('the stages of a follow', () => {
   });
 
   it('tell the station who is followed by which drone', () => {
-    expect(lineOf(aFollow({ state: 'tracking' }))).toBe('Copter 1 follows olga');
-    expect(new Set(STAGES.map((state) => lineOf(aFollow({ state })))).size).toBe(STAGES.length);
-    expect(lineOf(aFollow({ state: 'tracking' }), true)).toBe('Copter 1 stands still and waits for olga');
+    expect(followText(aFollow({ state: 'tracking' }))).toBe('Copter 1 follows olga');
+    expect(new Set(STAGES.map((state) => followText(aFollow({ state })))).size).toBe(STAGES.length);
+    expect(followText(aFollow({ state: 'tracking' }), true)).toBe('Copter 1 stands still and waits for olga');
   });
 });
 
@@ -107,8 +107,8 @@ describe('a drone that comes to replace another one', () => {
 
   it('is named, to whoever is followed and on the station', () => {
     const follow = aFollow({ state: 'tracking', others: [kestrel] });
-    expect(othersWords(follow)).toEqual(['Kestrel comes to replace Copter 1.']);
-    expect(lineOf(follow)).toBe('Copter 1 follows olga; Kestrel comes to replace it');
+    expect(otherDroneTexts(follow)).toEqual(['Kestrel comes to replace Copter 1.']);
+    expect(followText(follow)).toBe('Copter 1 follows olga; Kestrel comes to replace it');
   });
 
   it('can be called off when the other one flies home already', () => {
@@ -120,10 +120,10 @@ describe('a drone that comes to replace another one', () => {
 
   it('has the one that it replaced told of until that is down', () => {
     const falcon = { ...kestrel, droneName: 'Falcon', comes: false };
-    expect(othersWords(aFollow({ others: [{ ...falcon, state: 'returning' }] }))).toEqual([
+    expect(otherDroneTexts(aFollow({ others: [{ ...falcon, state: 'returning' }] }))).toEqual([
       'Falcon flies home.',
     ]);
-    expect(othersWords(aFollow({ others: [{ ...falcon, state: 'suspended' }] }))).toEqual([
+    expect(otherDroneTexts(aFollow({ others: [{ ...falcon, state: 'suspended' }] }))).toEqual([
       'Somebody else flies Falcon.',
     ]);
   });
@@ -136,20 +136,20 @@ describe('what the drone did while the phone was away', () => {
   const follow = aFollow({ state: 'tracking', since: at(5), told: [first] });
 
   it('is not claimed where the cloud says nothing of it', () => {
-    expect(meantimeWords(follow, absence)).toBe('');
+    expect(absenceText(follow, absence)).toBe('');
   });
 
   it('is that it stood, where the cloud led it all the time', () => {
     const told = [first, { at: at(13), words: 'Copter 1 waits.' }];
-    expect(meantimeWords({ ...follow, told }, absence)).toBe(
+    expect(absenceText({ ...follow, told }, absence)).toBe(
       'The drone stood and waited for 32 s. Now it follows you again.',
     );
-    expect(meantimeWords({ ...follow, told, note: 'There is no contact.' }, absence)).not.toContain('Now');
+    expect(absenceText({ ...follow, told, note: 'There is no contact.' }, absence)).not.toContain('Now');
   });
 
   it('is in the words of the cloud, where it came home meanwhile', () => {
     const told = [first, { at: at(43), words: 'Copter 1 came home since it had missed the cloud.' }];
-    expect(meantimeWords({ ...follow, since: at(43), told }, absence)).toBe(
+    expect(absenceText({ ...follow, since: at(43), told }, absence)).toBe(
       'Copter 1 came home since it had missed the cloud.',
     );
   });
@@ -159,9 +159,9 @@ describe('where the drone stays', () => {
   const { place } = aFollow();
 
   it('is said in words', () => {
-    expect(placeWords(place)).toBe('8 m behind you, 15 m up');
-    expect(placeWords({ ...place, side: 'fixed', bearing: 315 })).toContain('north-west of you');
-    expect(placeWords({ ...place, side: 'fixed', bearing: -90 })).toContain('west of you');
+    expect(placeText(place)).toBe('8 m behind you, 15 m up');
+    expect(placeText({ ...place, side: 'fixed', bearing: 315 })).toContain('north-west of you');
+    expect(placeText({ ...place, side: 'fixed', bearing: -90 })).toContain('west of you');
   });
 
   it('goes to the cloud with what its side needs', () => {

@@ -1,14 +1,14 @@
 import type { PersonalPort } from '../api/outlet';
 import { timeOfDay } from '../ui/format';
-import { wayWords, waysIn } from './settings';
+import { addressText, waysIn } from './settings';
 
 /** Where a program is to speak; `host`: by which this page reached the server. */
 export function portPlace(port: PersonalPort, host: string): string {
-  return waysIn([port.endpoint], host).map(wayWords).join() || port.endpoint;
+  return waysIn([port.endpoint], host).map(addressText).join() || port.endpoint;
 }
 
 /** Who has it, or may have it, and until when. */
-export function portLine(port: PersonalPort): string {
+export function portText(port: PersonalPort): string {
   const who = port.peer === null ? `for the first from ${port.address}` : `${port.peer} has it`;
   const others = port.refused > 0 ? ` · ${port.refused} messages of others kept outside` : '';
   return `${who} · until ${timeOfDay(port.until)}${others}`;

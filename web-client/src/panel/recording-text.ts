@@ -2,12 +2,12 @@ import type { Recording } from '../api/recordings';
 import { span } from '../ui/format';
 
 /** When the flight was, how long it took and how large it is, in one line. */
-export function flightLine(flight: Recording): string {
+export function recordingText(flight: Recording): string {
   const length = flight.seconds === null ? 'going on' : span(Math.round(flight.seconds));
   return `${length} · ${size(flight.bytes)}`;
 }
 
-export function flightDate(flight: Recording): string {
+export function recordingDate(flight: Recording): string {
   return new Date(flight.start).toLocaleString([], { dateStyle: 'medium', timeStyle: 'short' });
 }
 

@@ -45,7 +45,7 @@ export function whyNotPlanned(drone: Drone): string | null {
 }
 
 /** In plain words, and never better than it is. */
-export function gapLine(progress: PlanProgress): string {
+export function gapText(progress: PlanProgress): string {
   if (progress.unserved > 0) {
     return `${counted(progress.unserved, 'waypoint')} left out.`;
   }
@@ -55,7 +55,7 @@ export function gapLine(progress: PlanProgress): string {
     : `The best plan there is may be up to ${percent} % better.`;
 }
 
-export function stateLine(plan: FleetPlan): string {
+export function stateText(plan: FleetPlan): string {
   switch (plan.state) {
     case 'queued':
       return 'Waiting for its turn …';
@@ -83,7 +83,7 @@ const STAGES: Record<PlanStage, string> = {
   failed: 'failed',
 };
 
-export function flightLine(flight: PlanFlight): string {
+export function flightText(flight: PlanFlight): string {
   return flight.why === null ? STAGES[flight.stage] : `${STAGES[flight.stage]}: ${flight.why}`;
 }
 
@@ -232,7 +232,7 @@ export function tourRequest(drone: string, draft: Draft): TourRequest {
 }
 
 /** What ordering the waypoints of a mission has come to. */
-export function orderLine({ before, after, unserved, order }: OrderedTour): string {
+export function orderText({ before, after, unserved, order }: OrderedTour): string {
   const left =
     unserved.length === 0
       ? ''

@@ -3,23 +3,23 @@ import type { Barrier, Figures, RunWaypoint } from '../api/runs';
 import type { Zone } from '../api/zones';
 import { aRun, aRunDrone as drone, aRunWaypoint as waypoint, aDrone } from '../testing';
 import {
-  goOnWords,
-  costLine,
-  countsLine,
+  resumeText,
+  costText,
+  countsText,
   isInTheAir,
   joinable,
   mayGiveUp,
   mayResume,
-  movedLines,
-  replayLine,
+  movedTexts,
+  replayText,
   sharesOf,
   sortedWaypoints,
   stageLook,
-  stateWords,
-  taskLine,
-  triggerWords,
-  waypointLine,
-} from './run-line';
+  stateText,
+  taskText,
+  triggerText,
+  waypointText,
+} from './run-text';
 import { ownBarriers, runFeatures } from './run-features';
 
 const NOW = Date.parse('2026-01-01T12:00:00Z');
@@ -38,18 +38,18 @@ describe('a mission run in words', () => {
       before: figures(1, 1),
       after: figures(1, 1),
     };
-    expect(stateWords(aRun())).toBe('Under way');
-    expect(stateWords(aRun({ proposal }))).toBe('Waits for your answer');
-    expect(stateWords(aRun({ state: 'paused' }))).toBe('Paused: drones hold where they are');
-    expect(stateWords(aRun({ state: 'stopping' }))).toBe('Ending: its drones return');
-    expect(stateWords(aRun({ state: 'over', end: 'The run is over: all 3 waypoints visited.' }))).toBe(
+    expect(stateText(aRun())).toBe('Under way');
+    expect(stateText(aRun({ proposal }))).toBe('Waits for your answer');
+    expect(stateText(aRun({ state: 'paused' }))).toBe('Paused: drones hold where they are');
+    expect(stateText(aRun({ state: 'stopping' }))).toBe('Ending: its drones return');
+    expect(stateText(aRun({ state: 'over', end: 'The run is over: all 3 waypoints visited.' }))).toBe(
       'The run is over: all 3 waypoints visited.',
     );
   });
 
   it('does not count what was cancelled, and never hides what was left out', () => {
     const counts = { waypoints: 5, visited: 2, unserved: 1, cancelled: 2, replans: 0, doubles: 0 };
-    expect(countsLine(aRun({ counts }))).toBe('2 of 3 waypoints visited, 1 left out');
+    expect(countsText(aRun({ counts }))).toBe('2 of 3 waypoints visited, 1 left out');
     expect(sharesOf(aRun()).map((share) => [share.state, share.count])).toEqual([
       ['visited', 1],
       ['assigned', 1],
@@ -60,11 +60,11 @@ describe('a mission run in words', () => {
   it('tells of each waypoint who, when or why not', () => {
     const run = aRun();
     const due = '2026-01-01T12:00:45Z';
-    expect(waypointLine(run, waypoint('2', { due }), NOW)).toBe('to be visited by Falcon, in 45 s');
-    expect(waypointLine(run, waypoint('2', { due: '2026-01-01T11:59:59Z' }), NOW)).toBe(
+    expect(waypointText(run, waypoint('2', { due }), NOW)).toBe('to be visited by Falcon, in 45 s');
+    expect(waypointText(run, waypoint('2', { due: '2026-01-01T11:59:59Z' }), NOW)).toBe(
       'to be visited by Falcon',
     );
-    expect(waypointLine(run, run.waypoints[0] as RunWaypoint, NOW)).toBe('visited by Heron');
+    expect(waypointText(run, run.waypoints[0] as RunWaypoint, NOW)).toBe('visited by Heron');
     const twice = waypoint('2', {
       state: 'visited',
       visits: [
@@ -72,21 +72,21 @@ describe('a mission run in words', () => {
         { drone: 'd2', at: '' },
       ],
     });
-    expect(waypointLine(run, twice, NOW)).toBe('visited by Falcon, then Heron');
-    expect(waypointLine(run, waypoint('2', { state: 'unserved', why: 'No drone was left.' }), NOW)).toBe(
+    expect(waypointText(run, twice, NOW)).toBe('visited by Falcon, then Heron');
+    expect(waypointText(run, waypoint('2', { state: 'unserved', why: 'No drone was left.' }), NOW)).toBe(
       'left out: No drone was left.',
     );
   });
 
   it('tells what became of a task, and what is not known of it', () => {
     const photo = { type: 'photo', drone: 'd1', at: '', photo: 3 } as const;
-    expect(taskLine({ ...photo, result: 'done', words: 'Photo 3 at 47.397700, 8.545600.' })).toBe(
+    expect(taskText({ ...photo, result: 'done', words: 'Photo 3 at 47.397700, 8.545600.' })).toBe(
       'Photo: done. Photo 3 at 47.397700, 8.545600.',
     );
-    expect(taskLine({ ...photo, type: 'servo', result: 'notKnown', words: 'It was told to.' })).toBe(
+    expect(taskText({ ...photo, type: 'servo', result: 'notKnown', words: 'It was told to.' })).toBe(
       'Servo: not known. It was told to.',
     );
-    expect(taskLine({ ...photo, type: 'readSensors', result: 'open', words: null })).toBe(
+    expect(taskText({ ...photo, type: 'readSensors', result: 'open', words: null })).toBe(
       'Read sensors: not yet.',
     );
   });
@@ -109,13 +109,13 @@ describe('a mission run in words', () => {
       { waypoint: '4', from: 'd1', to: 'd2' },
       { waypoint: '5', from: null, to: 'd1' },
     ];
-    expect(movedLines(aRun(), moved)).toEqual(['3, 4: Falcon to Heron', '5: nobody to Falcon']);
-    expect(costLine(figures(60, 61.26), figures(75, 1234.5, 1))).toBe(
+    expect(movedTexts(aRun(), moved)).toEqual(['3, 4: Falcon to Heron', '5: nobody to Falcon']);
+    expect(costText(figures(60, 61.26), figures(75, 1234.5, 1))).toBe(
       'all back in 1 min 00 s → 1 min 15 s, cost 61.3 → 1,235, left out 0 → 1',
     );
-    expect(costLine(null, figures(1, 1))).toBeNull();
-    expect(triggerWords({ trigger: 'lowBattery' })).toBe('Low battery');
-    expect(triggerWords({ trigger: 'newOne' as never })).toBe('newOne');
+    expect(costText(null, figures(1, 1))).toBeNull();
+    expect(triggerText({ trigger: 'lowBattery' })).toBe('Low battery');
+    expect(triggerText({ trigger: 'newOne' as never })).toBe('newOne');
   });
 
   it('knows which drones can be resumed, called home and held', () => {
@@ -145,8 +145,8 @@ describe('a mission run in words', () => {
 
   it('gives the verdict on its journal', () => {
     const replay = { same: true, entries: 12, number: null, written: null, decided: null };
-    expect(replayLine(replay)).toBe('Decided once more on all 12 entries: not a letter differs.');
-    expect(replayLine({ ...replay, same: false, number: 7 })).toBe(
+    expect(replayText(replay)).toBe('Decided once more on all 12 entries: not a letter differs.');
+    expect(replayText({ ...replay, same: false, number: 7 })).toBe(
       'Entry 7 would be decided otherwise today.',
     );
   });
@@ -225,7 +225,7 @@ describe('what a paused run does when it goes on', () => {
       drone('d1', { stage: 'holding', next: ['2'] }),
       drone('d2', { stage: 'ready', next: ['3'] }),
     ];
-    expect(goOnWords(aRun({ state: 'paused', drones }))).toBe('At once: Falcon flies on, Heron takes off.');
-    expect(goOnWords(aRun({ state: 'paused', drones: [drone('d1')] }))).toBeNull();
+    expect(resumeText(aRun({ state: 'paused', drones }))).toBe('At once: Falcon flies on, Heron takes off.');
+    expect(resumeText(aRun({ state: 'paused', drones: [drone('d1')] }))).toBeNull();
   });
 });

@@ -7,7 +7,7 @@ export const BREACH_WORDS: Record<BreachAction, string> = {
 };
 
 /** What a zone means, in one line. */
-export function zoneLine(zone: Zone, nameOf: (drone: string) => string | null): string {
+export function zoneText(zone: Zone, nameOf: (drone: string) => string | null): string {
   const { properties } = zone;
   const parts = [properties.kind === 'inclusion' ? 'stay in' : 'keep out', heights(zone)];
   if (properties.drone !== null) {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Recording } from '../api/recordings';
-import { flightLine, size } from './flight-line';
+import { recordingText, size } from './recording-text';
 
 const FLIGHT: Recording = {
   id: '20260304T050607Z_d1',
@@ -18,11 +18,11 @@ const FLIGHT: Recording = {
 
 describe('the line of a flight', () => {
   it('says how long it took and how large it is', () => {
-    expect(flightLine(FLIGHT)).toBe('2 min 13 s · 1.2 MB');
+    expect(recordingText(FLIGHT)).toBe('2 min 13 s · 1.2 MB');
   });
 
   it('says that a flight goes on', () => {
-    expect(flightLine({ ...FLIGHT, end: null, seconds: null, bytes: 200 })).toBe('going on · 1 kB');
+    expect(recordingText({ ...FLIGHT, end: null, seconds: null, bytes: 200 })).toBe('going on · 1 kB');
   });
 
   it('writes sizes in the unit that fits', () => {

@@ -2,7 +2,7 @@ import type { Flight, FlightEvent, TrackForm } from '../api/flights';
 import { distance, fixed, span, UNKNOWN } from '../ui/format';
 
 /** When it began and how long it took. */
-export function whenLine(flight: Flight): string {
+export function timeText(flight: Flight): string {
   const begin = new Date(flight.start).toLocaleString([], { dateStyle: 'medium', timeStyle: 'short' });
   const length = span(Math.round(flight.seconds));
   const state = { running: ', going on', lost: ', lost', ended: '' }[flight.state];
@@ -10,7 +10,7 @@ export function whenLine(flight: Flight): string {
 }
 
 /** Who, how far, how high, on what charge. */
-export function whatLine(flight: Flight): string {
+export function summaryText(flight: Flight): string {
   const who = flight.users.length === 0 ? 'by hand' : flight.users.join(', ');
   return [
     who,
@@ -61,7 +61,7 @@ export const FORM_NAMES: Record<TrackForm, string> = {
   tlog: 'tlog of this flight',
 };
 
-export function eventLine(event: FlightEvent): string {
+export function eventText(event: FlightEvent): string {
   const by = event.by === null || event.text.includes(event.by) ? '' : ` by ${event.by}`;
   const result = event.result === null ? '' : `: ${event.result}`;
   return `${event.text}${by}${result}${event.reason === null ? '' : `, ${event.reason}`}`;

@@ -6,7 +6,7 @@ import { fixed, UNKNOWN } from '../ui/format';
 const WORRYING_LOSS = 0.05;
 
 /** How well the link carries, in one line: what was lost lately and over a minute, and how long an answer takes. */
-export function qualityLine(quality: LinkQuality | undefined): string {
+export function linkQualityText(quality: LinkQuality | undefined): string {
   const { lossShort, lossLong, rttMs } = quality ?? { lossShort: null, lossLong: null, rttMs: null };
   if (lossShort === null && rttMs === null) {
     return `Link quality ${UNKNOWN}`;

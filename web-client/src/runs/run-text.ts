@@ -12,7 +12,7 @@ import type {
   TaskType,
 } from '../api/runs';
 import type { Drone } from '../api/types';
-import { whyNotPlanned } from '../tours/tour-line';
+import { whyNotPlanned } from '../tours/tour-text';
 import { counted, span } from '../ui/format';
 
 /** Green: as planned; amber: look; red: act; violet: planned and not yet true; blue: its mission changes. */
@@ -48,7 +48,7 @@ const RESULTS: Record<RunTask['result'], string> = {
 };
 
 /** "Photo: done. Photo 3 at 47.397700, 8.545600." */
-export function taskLine(task: RunTask): string {
+export function taskText(task: RunTask): string {
   const words = task.words === null ? '' : ` ${task.words}`;
   return `${TASKS[task.type] ?? task.type}: ${RESULTS[task.result] ?? task.result}.${words}`;
 }
@@ -111,12 +111,12 @@ const TRIGGERS: Record<RunExplanation['trigger'], string> = {
   ended: 'Over',
 };
 
-export function triggerWords(explanation: Pick<RunExplanation, 'trigger'>): string {
+export function triggerText(explanation: Pick<RunExplanation, 'trigger'>): string {
   // A server that is newer than the page may have another one.
   return TRIGGERS[explanation.trigger] ?? explanation.trigger;
 }
 
-export function stateWords(run: MissionRun): string {
+export function stateText(run: MissionRun): string {
   switch (run.state) {
     case 'running':
       return run.proposal === null ? 'Under way' : 'Waits for your answer';
@@ -130,7 +130,7 @@ export function stateWords(run: MissionRun): string {
 }
 
 /** In one line, for lists. */
-export function countsLine(run: MissionRun): string {
+export function countsText(run: MissionRun): string {
   const { waypoints, visited, unserved, cancelled } = run.counts;
   const parts = [`${visited} of ${counted(waypoints - cancelled, 'waypoint')} visited`];
   if (unserved > 0) {
@@ -161,7 +161,7 @@ export function nameOf(run: MissionRun, drone: string | null): string {
 }
 
 /** "3, 4: Falcon to Heron", one for each pair. */
-export function movedLines(run: MissionRun, moved: readonly Moved[]): string[] {
+export function movedTexts(run: MissionRun, moved: readonly Moved[]): string[] {
   const pairs = new Map<string, string[]>();
   for (const { waypoint, from, to } of moved) {
     const pair = `${nameOf(run, from)} to ${nameOf(run, to)}`;
@@ -171,7 +171,7 @@ export function movedLines(run: MissionRun, moved: readonly Moved[]): string[] {
 }
 
 /** What a decision costs; null where nothing was planned. */
-export function costLine(before: Figures | null, after: Figures | null): string | null {
+export function costText(before: Figures | null, after: Figures | null): string | null {
   if (before === null || after === null) {
     return null;
   }
@@ -186,7 +186,7 @@ function amount(cost: number): string {
 }
 
 /** How long from now on; null: not known, or past. */
-export function inWords(due: string | null, now: number): string | null {
+export function dueText(due: string | null, now: number): string | null {
   if (due === null) {
     return null;
   }
@@ -195,7 +195,7 @@ export function inWords(due: string | null, now: number): string | null {
 }
 
 /** What one waypoint is up to, in one sentence. */
-export function waypointLine(run: MissionRun, waypoint: RunWaypoint, now: number): string {
+export function waypointText(run: MissionRun, waypoint: RunWaypoint, now: number): string {
   const { words } = WAYPOINT_LOOKS[waypoint.state];
   if (waypoint.state === 'visited') {
     const by = waypoint.visits.map((visit) => nameOf(run, visit.drone)).join(', then ');
@@ -204,7 +204,7 @@ export function waypointLine(run: MissionRun, waypoint: RunWaypoint, now: number
   if (waypoint.state === 'unserved' && waypoint.why !== null) {
     return `${words}: ${waypoint.why}`;
   }
-  const due = inWords(waypoint.due, now);
+  const due = dueText(waypoint.due, now);
   const by = waypoint.drone === null ? '' : ` by ${nameOf(run, waypoint.drone)}`;
   return waypoint.state === 'assigned' ? `${words}${by}${due === null ? '' : `, ${due}`}` : words;
 }
@@ -239,7 +239,7 @@ export function isInTheAir(drone: RunDrone): boolean {
 }
 
 /** What moves at once when a paused run goes on; null: nothing that is known now. */
-export function goOnWords(run: MissionRun): string | null {
+export function resumeText(run: MissionRun): string | null {
   const words = run.drones
     .filter(({ next }) => next.length > 0)
     .map((drone) => `${drone.name} ${isInTheAir(drone) ? 'flies on' : 'takes off'}`);
@@ -252,7 +252,7 @@ export function joinable(run: MissionRun, drones: readonly Drone[]): Drone[] {
   return drones.filter((drone) => !inside.has(drone.id) && whyNotPlanned(drone) === null);
 }
 
-export function replayLine(replay: Replay): string {
+export function replayText(replay: Replay): string {
   const entries = counted(replay.entries, 'entry').replace('entrys', 'entries');
   return replay.same
     ? `Decided once more on all ${entries}: not a letter differs.`

@@ -2,7 +2,7 @@ import type { Drone, MissionItem, VehicleMission } from '../api/types';
 import { itemNumber } from '../plan/numbering';
 import { counted, fixed } from '../ui/format';
 
-export interface MissionLine {
+export interface MissionRow {
   words: string;
   /** As on the map and in sentences about the mission. */
   number: number;
@@ -10,12 +10,12 @@ export interface MissionLine {
 }
 
 /** The vehicle's own mission as lines to read. */
-export function missionLines(mission: VehicleMission | null): MissionLine[] {
+export function missionRows(mission: VehicleMission | null): MissionRow[] {
   const reached = new Set(mission?.reached ?? []);
   return (mission?.items ?? []).map((item, index) => {
     const current = mission?.running === true && mission.current === index;
     return {
-      words: wordsOf(item),
+      words: itemText(item),
       number: itemNumber(index),
       state: reached.has(index) ? 'reached' : current ? 'current' : 'ahead',
     };
@@ -63,7 +63,7 @@ export function whyNoStart(drone: Drone): string | null {
   return mission?.running && flight !== 'onGround' && !isComplete(mission) ? 'It is running.' : null;
 }
 
-function wordsOf(item: MissionItem): string {
+function itemText(item: MissionItem): string {
   switch (item.type) {
     case 'takeOff':
       return `Take off to ${fixed(item.altitude)} m`;

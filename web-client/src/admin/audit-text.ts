@@ -34,19 +34,19 @@ const OWN_DEEDS: Record<string, string> = {
 };
 
 /** Who it was, in a word. */
-export function whoLine(record: AuditRecord): string {
+export function actorText(record: AuditRecord): string {
   return record.by ?? 'nobody known';
 }
 
 /** What it was: of commands the summary, of the rest method and address without what all have in common. */
-export function whatLine(record: AuditRecord): string {
+export function actionText(record: AuditRecord): string {
   return record.command !== null && record.parameters !== ''
     ? record.parameters
     : (OWN_DEEDS[record.operation] ?? record.operation.replace('/api/v1/', ''));
 }
 
 /** Everything else, without what is not known. */
-export function moreLine(record: AuditRecord, nameOf: (drone: string) => string): string {
+export function detailText(record: AuditRecord, nameOf: (drone: string) => string): string {
   return [
     record.drone === null ? null : nameOf(record.drone),
     FACES[record.face] ?? record.face,

@@ -3,7 +3,7 @@ import type { Endpoint } from '../api/endpoints';
 const COUNT = new Intl.NumberFormat('en-GB');
 
 /** What went through an endpoint, in one line; what is zero and would be bad news is left out. */
-export function endpointLine({ counts }: Endpoint): string {
+export function endpointText({ counts }: Endpoint): string {
   const dropped = counts.droppedIn + counts.droppedOut;
   const parts: [number, string][] = [
     [counts.lost, 'lost'],

@@ -61,7 +61,7 @@ export function holdersOf(
     .sort((a, b) => Number(b.onlyGranted) - Number(a.onlyGranted));
 }
 
-function dronesLine(grant: Grant, fleets: readonly Fleet[], nameOf: (drone: string) => string): string {
+function dronesText(grant: Grant, fleets: readonly Fleet[], nameOf: (drone: string) => string): string {
   if (grant.fleet !== null) {
     return fleets.find((fleet) => fleet.id === grant.fleet)?.name ?? 'a fleet';
   }
@@ -77,8 +77,8 @@ function dronesLine(grant: Grant, fleets: readonly Fleet[], nameOf: (drone: stri
 }
 
 /** What, with which drones, until when; in one line. */
-export function grantLine(grant: Grant, fleets: readonly Fleet[], nameOf: (drone: string) => string): string {
-  const what = `${grant.operations.join(', ')} · ${dronesLine(grant, fleets, nameOf)}`;
+export function grantText(grant: Grant, fleets: readonly Fleet[], nameOf: (drone: string) => string): string {
+  const what = `${grant.operations.join(', ')} · ${dronesText(grant, fleets, nameOf)}`;
   if (grant.state === 'toCome') {
     return `${what} · from ${new Date(grant.from).toLocaleString()}`;
   }

@@ -16,7 +16,7 @@ const STATES: Record<VirtualState, string> = {
 };
 
 /** Such as “waiting, 2 of 3” or “flying, 1 of 4 waypoints”. */
-export function stateLine(drone: VirtualDrone): string {
+export function stateText(drone: VirtualDrone): string {
   const { run } = drone;
   if (run === null) {
     return drone.items === null ? 'no mission yet' : 'planned';
@@ -46,7 +46,7 @@ export function toneOf(drone: VirtualDrone): Tone {
 }
 
 /** How it is now with the drone that serves, such as “battery 87 %, 20 m above home”; empty when none does. */
-export function liveLine(drone: VirtualDrone): string {
+export function liveText(drone: VirtualDrone): string {
   const { live } = drone;
   if (live === null) {
     return '';

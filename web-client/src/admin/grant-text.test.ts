@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { User } from '../api/accounts';
 import type { Grant, Group } from '../api/grants';
-import { grantLine, holdersOf } from './grant-line';
+import { grantText, holdersOf } from './grant-text';
 
 function grant(more: Partial<Grant> = {}): Grant {
   return {
@@ -30,17 +30,17 @@ const CREW: Group = { id: 'c', name: 'Crew', members: ['ann'], onlyGranted: true
 
 describe('the line of a grant', () => {
   it('says what, with which drones and until when', () => {
-    expect(grantLine(grant(), [], (id) => id)).toBe('view, command · all drones');
-    expect(grantLine(grant({ drones: ['a', 'b'] }), [], (id) => `Copter ${id}`)).toBe(
+    expect(grantText(grant(), [], (id) => id)).toBe('view, command · all drones');
+    expect(grantText(grant({ drones: ['a', 'b'] }), [], (id) => `Copter ${id}`)).toBe(
       'view, command · Copter a, Copter b',
     );
-    expect(grantLine(grant({ drones: ['a', 'b', 'c', 'd'] }), [], (id) => id)).toContain('4 drones');
+    expect(grantText(grant({ drones: ['a', 'b', 'c', 'd'] }), [], (id) => id)).toContain('4 drones');
     const fleet = { id: 'f', name: 'Trucks', drones: [] };
-    expect(grantLine(grant({ fleet: 'f' }), [fleet], (id) => id)).toContain('Trucks');
+    expect(grantText(grant({ fleet: 'f' }), [fleet], (id) => id)).toContain('Trucks');
     const until = '2026-05-02T12:00:00Z';
-    expect(grantLine(grant({ until }), [], (id) => id)).toContain('until');
-    expect(grantLine(grant({ until, state: 'over' }), [], (id) => id)).toContain('ended');
-    expect(grantLine(grant({ until, state: 'toCome' }), [], (id) => id)).toContain('from');
+    expect(grantText(grant({ until }), [], (id) => id)).toContain('until');
+    expect(grantText(grant({ until, state: 'over' }), [], (id) => id)).toContain('ended');
+    expect(grantText(grant({ until, state: 'toCome' }), [], (id) => id)).toContain('from');
   });
 });
 

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import type { FlightEvent } from '../api/flights';
-import { eventLine } from './flight-words';
+import { eventText } from './flight-text';
 
 const COMMAND: FlightEvent = {
   at: '2026-03-04T05:06:07Z',
@@ -14,7 +14,7 @@ const COMMAND: FlightEvent = {
 };
 
 test('tells who commanded and what became of it', () => {
-  expect(eventLine(COMMAND)).toBe('arm by ann: refused, No GPS fix.');
+  expect(eventText(COMMAND)).toBe('arm by ann: refused, No GPS fix.');
 });
 
 test('names somebody once whom the sentence names itself', () => {
@@ -25,5 +25,5 @@ test('names somebody once whom the sentence names itself', () => {
     result: null,
     reason: null,
   };
-  expect(eventLine(control)).toBe('ann took control.');
+  expect(eventText(control)).toBe('ann took control.');
 });

@@ -2,7 +2,7 @@ import type { Follow, FollowOther, FollowPlace, FollowStage, FollowAction } from
 import { span } from '../ui/format';
 import type { Absence } from './absence.svelte';
 
-export interface StageWords {
+export interface StageText {
   /** A few words, large. */
   title: string;
   tone: 'green' | 'blue' | 'amber' | 'neutral';
@@ -10,7 +10,7 @@ export interface StageWords {
   words: string;
 }
 
-const STAGES: Record<FollowStage, (drone: string) => StageWords> = {
+const STAGES: Record<FollowStage, (drone: string) => StageText> = {
   allocated: (drone) => ({
     title: 'Ready to start',
     tone: 'blue',
@@ -47,7 +47,7 @@ export function isHeldUp({ state, note }: Follow): boolean {
 }
 
 /** `unled`: the page knows that what it says leads no drone now. */
-export function stageWords(follow: Follow, unled = false): StageWords {
+export function stageText(follow: Follow, unled = false): StageText {
   const { state, droneName, note } = follow;
   if (isHeldUp(follow) || (unled && state === 'tracking')) {
     return {
@@ -108,7 +108,7 @@ export function actionText(action: FollowAction, state: FollowStage): ActionText
 }
 
 /** The problem when the cloud did not answer; with a network it may have received the action. */
-export function notDoneWords(action: FollowAction, state: FollowStage, online: boolean): string {
+export function notDoneText(action: FollowAction, state: FollowStage, online: boolean): string {
   const { label } = actionText(action, state);
   return online
     ? `The cloud did not answer: whether “${label}” was done is seen when it does.`
@@ -142,7 +142,7 @@ export function reliefOf(follow: Follow): FollowOther | null {
 }
 
 /** What the other drones do, as sentences. */
-export function othersWords(follow: Follow): string[] {
+export function otherDroneTexts(follow: Follow): string[] {
   return follow.others.map(({ droneName, comes, state }) => {
     if (comes) {
       return `${droneName} comes to replace ${follow.droneName}.`;
@@ -152,7 +152,7 @@ export function othersWords(follow: Follow): string[] {
 }
 
 /** What the drone did while the phone was away, as far as the cloud says so: it may have been down itself. */
-export function meantimeWords({ told, since, state, note }: Follow, { from, waited }: Absence): string {
+export function absenceText({ told, since, state, note }: Follow, { from, waited }: Absence): string {
   const said = told.filter(({ at }) => Date.parse(at) > from).map(({ words }) => words);
   if (said.length === 0) {
     return '';
@@ -179,15 +179,15 @@ export function isIdle(follow: Follow | null): boolean {
 
 const SIDES = ['north', 'north-east', 'east', 'south-east', 'south', 'south-west', 'west', 'north-west'];
 
-export function compassWords(degrees: number): string {
+export function compassText(degrees: number): string {
   return SIDES[Math.round((((degrees % 360) + 360) % 360) / 45) % 8] as string;
 }
 
-export function placeWords(place: FollowPlace, who = 'you'): string {
+export function placeText(place: FollowPlace, who = 'you'): string {
   const where = {
     behind: 'behind',
     ahead: 'ahead of',
-    fixed: `${compassWords(place.bearing ?? 0)} of`,
+    fixed: `${compassText(place.bearing ?? 0)} of`,
     orbit: 'circling',
   }[place.side];
   return `${Math.round(place.distance)} m ${where} ${who}, ${Math.round(place.height)} m up`;
@@ -204,7 +204,7 @@ export function overviewNote(follows: readonly Follow[], isSilent: (follow: Foll
 }
 
 /** One follow in one line for the ground station. `waits`: no positions come. */
-export function lineOf(follow: Follow, waits = false): string {
+export function followText(follow: Follow, waits = false): string {
   const words: Record<FollowStage, string> = {
     allocated: 'is kept for',
     starting: 'takes off for',

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Endpoint } from '../api/endpoints';
-import { endpointLine } from './endpoint-line';
+import { endpointText } from './endpoint-text';
 
 const QUIET: Endpoint = {
   id: 'e1',
@@ -29,7 +29,7 @@ const QUIET: Endpoint = {
 
 describe('the line of an endpoint', () => {
   it('tells what went in and out, and no bad news where there is none', () => {
-    expect(endpointLine(QUIET)).toBe('1 peer · 12,345 in · 67 out');
+    expect(endpointText(QUIET)).toBe('1 peer · 12,345 in · 67 out');
   });
 
   it('tells what was lost on the way', () => {
@@ -42,7 +42,7 @@ describe('the line of an endpoint', () => {
       throttled: 9,
       kernelDrops: 4,
     };
-    expect(endpointLine({ ...QUIET, counts })).toBe(
+    expect(endpointText({ ...QUIET, counts })).toBe(
       '2 peers · 12,345 in · 67 out · 3 lost · 3 dropped · 9 throttled · 4 dropped by the system',
     );
   });

@@ -7,7 +7,7 @@ const RATE = new Intl.NumberFormat('en-GB', { maximumFractionDigits: 1 });
 const QUIET_SECONDS = 5;
 
 /** What goes to and from a ground station. */
-export function rateLine(client: OutletClient): string {
+export function rateText(client: OutletClient): string {
   const { messagesPerSecondOut: out, messagesPerSecondIn: into } = client;
   return `${rate(out)} messages/s to it, ${rate(into)}/s from it`;
 }
@@ -16,12 +16,12 @@ function rate(value: number): string {
   return value < 10 ? RATE.format(value) : COUNT.format(value);
 }
 
-export function whatLine(client: OutletClient): string {
+export function clientText(client: OutletClient): string {
   return `${client.address} ${client.transport} · system ${client.systemId} · sees ${counted(client.drones, 'drone')}`;
 }
 
 /** What somebody should look at; null: nothing. */
-export function troubleLine(client: OutletClient): string | null {
+export function troubleText(client: OutletClient): string | null {
   const parts = [
     ...(client.dropped > 0 ? [`${COUNT.format(client.dropped)} dropped: its link is too slow`] : []),
     ...(client.silentSeconds >= QUIET_SECONDS ? [`silent for ${COUNT.format(client.silentSeconds)} s`] : []),
@@ -39,7 +39,7 @@ const REFUSED: [keyof OutletRefused, string][] = [
 ];
 
 /** Messages of strangers, by reason; null: there were none. */
-export function refusedLine(refused: OutletRefused): string | null {
+export function refusedText(refused: OutletRefused): string | null {
   const parts = REFUSED.filter(([kind]) => refused[kind] > 0).map(
     ([kind, words]) => `${COUNT.format(refused[kind])} ${words}`,
   );

@@ -1,34 +1,34 @@
 import type { AccessKey, KeyOperation } from '../api/access-keys';
 import { mayAct, type Role } from '../api/accounts';
 import { age, counted } from '../ui/format';
-import { boundsLine } from './key-bounds';
+import { boundsText } from './key-bounds';
 
-/** What a key can be made for, least first; each needs a role of its owner. */
-export const REACHES: readonly { label: string; operations: KeyOperation[]; needs: Role }[] = [
+/** Scopes that a key can have, least first; each needs a role of its owner. */
+export const KEY_SCOPES: readonly { label: string; operations: KeyOperation[]; needs: Role }[] = [
   { label: 'only look', operations: ['view'], needs: 'viewer' },
   { label: 'look and plan', operations: ['view', 'plan'], needs: 'planner' },
   { label: 'look, plan and command', operations: ['view', 'plan', 'command'], needs: 'operator' },
   { label: 'all that I may', operations: ['view', 'plan', 'command', 'administer'], needs: 'administrator' },
 ];
 
-export function reachesOf(role: Role | undefined): typeof REACHES {
-  return REACHES.filter((reach) => mayAct(role, reach.needs));
+export function scopesOf(role: Role | undefined): typeof KEY_SCOPES {
+  return KEY_SCOPES.filter((scope) => mayAct(role, scope.needs));
 }
 
-/** How far a key reaches, in one line. */
-export function reachLine(key: AccessKey, nameOf: (drone: string) => string): string {
+/** The scope of a key, in one line. */
+export function scopeText(key: AccessKey, nameOf: (drone: string) => string): string {
   const drones =
     key.drones === null
       ? 'all drones'
       : key.drones.length > 3
         ? counted(key.drones.length, 'drone')
         : key.drones.map(nameOf).join(', ');
-  const parts = [`${key.role}: ${key.operations.join(', ')}`, drones, boundsLine(key)];
+  const parts = [`${key.role}: ${key.operations.join(', ')}`, drones, boundsText(key)];
   return parts.filter((part) => part !== '').join(' · ');
 }
 
 /** Until when it serves, and when it last did. */
-export function useLine(key: AccessKey, now: number): string {
+export function usageText(key: AccessKey, now: number): string {
   const used = key.lastUsedAt === null ? 'not used yet' : `used ${age(now - Date.parse(key.lastUsedAt))}`;
   if (key.expiresAt === null) {
     return used;

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { VirtualDrone, VirtualRun } from '../api/virtual';
-import { liveLine, stateLine, toneOf } from './virtual-line';
+import { liveText, stateText, toneOf } from './virtual-text';
 
 const RUN: VirtualRun = {
   state: 'flying',
@@ -33,17 +33,17 @@ function virtual(part: Partial<VirtualDrone>): VirtualDrone {
 
 describe('the line of a virtual drone', () => {
   it('tells what is there before it was started', () => {
-    expect(stateLine(virtual({}))).toBe('no mission yet');
-    expect(stateLine(virtual({ items: [] }))).toBe('planned');
+    expect(stateText(virtual({}))).toBe('no mission yet');
+    expect(stateText(virtual({ items: [] }))).toBe('planned');
   });
 
   it('tells the place in the queue', () => {
     const run: VirtualRun = { ...RUN, state: 'queued', queue: { position: 2, length: 3 } };
-    expect(stateLine(virtual({ run }))).toBe('waiting, 2 of 3 in the queue');
+    expect(stateText(virtual({ run }))).toBe('waiting, 2 of 3 in the queue');
   });
 
   it('tells how far it is', () => {
-    expect(stateLine(virtual({ run: RUN }))).toBe('flying, 1 of 4 waypoints');
+    expect(stateText(virtual({ run: RUN }))).toBe('flying, 1 of 4 waypoints');
     expect(toneOf(virtual({ run: RUN }))).toBe('good');
     expect(toneOf(virtual({ run: { ...RUN, state: 'suspended' } }))).toBe('look');
   });
@@ -58,7 +58,7 @@ describe('the line of a virtual drone', () => {
       motion: null,
       battery: 87,
     };
-    expect(liveLine(virtual({ live }))).toBe('contact suspect, battery 87 %');
-    expect(liveLine(virtual({}))).toBe('');
+    expect(liveText(virtual({ live }))).toBe('contact suspect, battery 87 %');
+    expect(liveText(virtual({}))).toBe('');
   });
 });
