@@ -151,15 +151,15 @@ export class Station {
     this.#stream.retryNow();
   }
 
-  /** Why nothing can be asked of the cloud now, or null. */
-  get whyNoLine(): string | null {
+  /** The reason for which no request can be sent now, or null. */
+  get whyOffline(): string | null {
     return this.connection.stale ? 'No connection to the cloud.' : null;
   }
 
   /** Why this page cannot give that command now, or null; the cloud's own reasons come with each action. */
   whyNoCommand(drone: Drone, type: CommandKind): string | null {
     const supervisor = mayAct(this.session?.role, 'supervisor');
-    return this.whyNoLine ?? this.leases.whyNot(drone, type, this.session?.name, supervisor);
+    return this.whyOffline ?? this.leases.whyNot(drone, type, this.session?.name, supervisor);
   }
 
   /** Commands under the control that this window keeps say so: they are refused when it has ended meanwhile. */

@@ -12,12 +12,12 @@ const sources = new Map(
 );
 
 /** Nobody is signed in there, and no stream is open. */
-const WITHOUT_LINE = ['session/', 'App.svelte'];
+const WITHOUT_STREAM = ['session/', 'App.svelte'];
 /** What these hold is the page's own, whatever their methods are called. */
 const OF_THE_PAGE = new Set(['planner', 'view', 'preferences', 'input', 'hold']);
 const CHANGES = /'(POST|PUT|PATCH|DELETE)'/;
 /** Calls that look, though they send something, and what works on the page's own state under a name that also changes. */
-const LOOKS = new Set(['streamTicket', 'compareParameterFile', 'order', 'positions', 'signIn', 'verify']);
+const READS = new Set(['streamTicket', 'compareParameterFile', 'order', 'positions', 'signIn', 'verify']);
 /** The page's own, where the name is that of one that changes; who signs out needs no stream. */
 const OWN = new Set([
   'runs.take',
@@ -43,17 +43,17 @@ function changing(): Set<string> {
     size = known.size;
     for (const [name, text] of all) {
       const calls = [...text.matchAll(/(?:calls|port|ports\.follows|rest|this)\.(#?[a-zA-Z]+)\(/g)];
-      if (calls.some(([, call]) => known.has(call ?? '') && !LOOKS.has(call ?? ''))) {
+      if (calls.some(([, call]) => known.has(call ?? '') && !READS.has(call ?? ''))) {
         known.add(name);
       }
     }
   }
-  LOOKS.forEach((name) => known.delete(name));
+  READS.forEach((name) => known.delete(name));
   return known;
 }
 
 /** What a press on that tag does: its handler, with the functions of the component that it names. */
-function deedOf(tag: string, source: string): string {
+function handlerOf(tag: string, source: string): string {
   const handler = /on(?:click|submit)=\{([\s\S]*)/.exec(tag)?.[1] ?? '';
   const named = [...source.matchAll(/\n {2}(?:async )?function ([a-zA-Z]+)\([\s\S]*?\n {2}\}/g)]
     .filter(([, name]) => new RegExp(`(?<![.\\w])${name ?? ''}\\b`).test(handler))
@@ -61,20 +61,20 @@ function deedOf(tag: string, source: string): string {
   return [handler, ...named].join('\n');
 }
 
-function changesSomething(deed: string, changes: Set<string>): boolean {
-  return [...deed.matchAll(/(\w+)\.(#?[a-zA-Z]+)\(/g)].some(
+function changesSomething(handler: string, changes: Set<string>): boolean {
+  return [...handler.matchAll(/(\w+)\.(#?[a-zA-Z]+)\(/g)].some(
     ([, of, call]) =>
       changes.has(call ?? '') && !OF_THE_PAGE.has(of ?? '') && !OWN.has(`${of ?? ''}.${call ?? ''}`),
   );
 }
 
-/** Native buttons and forms that change something, and do not ask the line: `LineButton` and its kin do. */
+/** Native buttons and forms that change something, and do not ask the line: `CloudButton` and its kin do. */
 function bare(name: string, source: string, changes: Set<string>): string[] {
-  const asks = /blocked|unready|why|disabled=\{off\}|noLine/i;
+  const asks = /blocked|unready|why|disabled=\{off\}|offline/i;
   return [...source.matchAll(/<(?:button|form)\b[\s\S]*?(?=\n\s*>|[^=]>)/g)]
     .map(([tag]) => tag)
-    .filter((tag) => changesSomething(deedOf(tag, source), changes))
-    .filter((tag) => !asks.test(tag) && !(tag.startsWith('<form') && /<LineButton|blocked|why/.test(source)))
+    .filter((tag) => changesSomething(handlerOf(tag, source), changes))
+    .filter((tag) => !asks.test(tag) && !(tag.startsWith('<form') && /<CloudButton|blocked|why/.test(source)))
     .map((tag) => `${name}: ${tag.replace(/\s+/g, ' ').slice(0, 110)}`);
 }
 
@@ -88,7 +88,7 @@ describe('without a line to the cloud', () => {
 
   it('no button asks anything of it: each looks at the line first and says why it does not', () => {
     const all = [...sources]
-      .filter(([name]) => name.endsWith('.svelte') && !WITHOUT_LINE.some((where) => name.startsWith(where)))
+      .filter(([name]) => name.endsWith('.svelte') && !WITHOUT_STREAM.some((where) => name.startsWith(where)))
       .flatMap(([name, text]) => bare(name, text, changes));
     expect(all).toEqual([]);
   });
