@@ -6,7 +6,7 @@ import { rateText, refusedText, troubleText, clientText } from './client-text';
 import OutletClients from './OutletClients.svelte';
 import OwnOutlet from './OwnOutlet.svelte';
 import { portText, portPlace } from './port-text';
-import { settingsFor, signerFor, addressText, waysIn } from './settings';
+import { settingsFor, signerFor, addressText, outletAddresses } from './settings';
 
 const CLIENT: OutletClient = {
   id: 'client-1',
@@ -60,19 +60,19 @@ describe('an attached ground station', () => {
 
 describe('the settings of programs', () => {
   it('name the address by which this server was reached, unless it listens on one only', () => {
-    expect(waysIn(ENDPOINTS, 'cloud.example').map(addressText)).toEqual([
+    expect(outletAddresses(ENDPOINTS, 'cloud.example').map(addressText)).toEqual([
       'UDP cloud.example:14560',
       'TCP 127.0.0.1:5790',
       'wss://cloud.example:5791',
     ]);
-    expect(waysIn(['dtlsserver://0.0.0.0:14599'], 'cloud.example').map(addressText)).toEqual([
+    expect(outletAddresses(['dtlsserver://0.0.0.0:14599'], 'cloud.example').map(addressText)).toEqual([
       'DTLS cloud.example:14599',
     ]);
-    expect(waysIn(['serial:///dev/tty'], 'cloud.example')).toEqual([]);
+    expect(outletAddresses(['serial:///dev/tty'], 'cloud.example')).toEqual([]);
   });
 
   it('can be copied as they are, with the passphrase while it is known', () => {
-    const known = settingsFor(waysIn(ENDPOINTS, 'cloud.example'), 'open sesame 1234567');
+    const known = settingsFor(outletAddresses(ENDPOINTS, 'cloud.example'), 'open sesame 1234567');
     const lines = known.flatMap((program) => program.lines.map((line) => line.text));
     expect(lines).toContain('mavproxy.py --mav20 --master=udpout:cloud.example:14560');
     expect(lines).toContain('signing key "open sesame 1234567"');
@@ -82,10 +82,10 @@ describe('the settings of programs', () => {
       'MAVProxy',
       'pymavlink',
     ]);
-    const [only] = settingsFor(waysIn([ENDPOINTS[1] ?? ''], 'x'), null).slice(2);
+    const [only] = settingsFor(outletAddresses([ENDPOINTS[1] ?? ''], 'x'), null).slice(2);
     expect(only?.lines[0]?.text).toBe('mavproxy.py --mav20 --master=tcp:127.0.0.1:5790');
     expect(settingsFor([], null)).toEqual([]);
-    expect(signerFor(waysIn(ENDPOINTS, 'cloud.example'))).toBe(
+    expect(signerFor(outletAddresses(ENDPOINTS, 'cloud.example'))).toBe(
       'python -m dronemap_attach --server udp:cloud.example:14560',
     );
     expect(signerFor([])).toBeNull();

@@ -1,10 +1,10 @@
 import type { PersonalPort } from '../api/outlet';
 import { timeOfDay } from '../ui/format';
-import { addressText, waysIn } from './settings';
+import { addressText, outletAddresses } from './settings';
 
 /** Where a program is to speak; `host`: by which this page reached the server. */
 export function portPlace(port: PersonalPort, host: string): string {
-  return waysIn([port.endpoint], host).map(addressText).join() || port.endpoint;
+  return outletAddresses([port.endpoint], host).map(addressText).join() || port.endpoint;
 }
 
 /** Who has it, or may have it, and until when. */

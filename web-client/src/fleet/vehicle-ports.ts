@@ -1,13 +1,13 @@
 import type { Endpoint } from '../api/endpoints';
 
-/** Ports that vehicles may come in by; null: none of that kind. */
-export interface WaysIn {
+/** Ports that vehicles connect to; null: none of that kind. */
+export interface VehiclePorts {
   udp: string | null;
   tcp: string | null;
 }
 
 /** The first open port of each kind that listens. */
-export function waysIn(endpoints: readonly Endpoint[]): WaysIn {
+export function vehiclePorts(endpoints: readonly Endpoint[]): VehiclePorts {
   return { udp: portOf(endpoints, 'udpserver'), tcp: portOf(endpoints, 'tcpserver') };
 }
 
@@ -17,7 +17,7 @@ function portOf(endpoints: readonly Endpoint[], scheme: string): string | null {
 }
 
 /** Where to send MAVLink, in words. */
-export function whereTo({ udp, tcp }: WaysIn): string {
+export function portsText({ udp, tcp }: VehiclePorts): string {
   const ports = [udp === null ? null : `UDP port ${udp}`, tcp === null ? null : `TCP port ${tcp}`];
   return ports.filter((port) => port !== null).join(' or ') || 'one of the links of this cloud';
 }
