@@ -2,10 +2,10 @@ import { sentenceFor } from '../api/problem';
 import type { PlannedItem } from '../api/types';
 import type { DroneName, VirtualCalls, VirtualDrone, VirtualNeeds } from '../api/virtual';
 
-/** The virtual drones of the user, and the drones that may serve them. */
+/** The virtual drones of the user, and the pool of drones that may serve them. */
 export class Virtuals {
   all = $state.raw<readonly VirtualDrone[]>([]);
-  warehouse = $state.raw<readonly DroneName[]>([]);
+  pool = $state.raw<readonly DroneName[]>([]);
   problem = $state<string | null>(null);
   readonly #calls: VirtualCalls;
 
@@ -20,9 +20,9 @@ export class Virtuals {
   /** What was there before the connection came up, and was removed while it was down, goes. */
   async load(): Promise<void> {
     await this.#attempt(async () => {
-      const [all, warehouse] = await Promise.all([this.#calls.all(), this.#calls.warehouse()]);
+      const [all, pool] = await Promise.all([this.#calls.all(), this.#calls.pool()]);
       this.all = all;
-      this.warehouse = warehouse;
+      this.pool = pool;
     });
   }
 
@@ -38,7 +38,7 @@ export class Virtuals {
 
   clear(): void {
     this.all = [];
-    this.warehouse = [];
+    this.pool = [];
     this.problem = null;
   }
 
@@ -65,14 +65,14 @@ export class Virtuals {
 
   offer(drone: string): Promise<boolean> {
     return this.#attempt(async () => {
-      this.warehouse = await this.#calls.offer(drone);
+      this.pool = await this.#calls.offer(drone);
     });
   }
 
   withdraw(drone: string): Promise<boolean> {
     return this.#attempt(async () => {
       await this.#calls.withdraw(drone);
-      this.warehouse = this.warehouse.filter((one) => one.id !== drone);
+      this.pool = this.pool.filter((one) => one.id !== drone);
     });
   }
 

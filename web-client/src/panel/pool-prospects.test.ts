@@ -6,7 +6,7 @@ import { aCommand, aDrone, anAction } from '../testing';
 import ControlLease from './ControlLease.svelte';
 import EmergencyStop from './EmergencyStop.svelte';
 import FlightControls from './FlightControls.svelte';
-import Warehouse from './Warehouse.svelte';
+import PoolMembership from './PoolMembership.svelte';
 
 afterEach(cleanup);
 
@@ -33,7 +33,7 @@ describe('putting a drone into the warehouse', () => {
     const station = aStation();
     vi.spyOn(station.rest.virtuals, 'prospects').mockResolvedValue({ inWarehouse: false, waiting });
     vi.spyOn(station.rest.virtuals, 'offer').mockResolvedValue([{ id: 'd1', name: 'Copter 1' }]);
-    render(Warehouse, { props: { drone: aDrone() }, context: context(station) });
+    render(PoolMembership, { props: { drone: aDrone() }, context: context(station) });
     return station;
   }
 
@@ -74,7 +74,7 @@ describe('putting a drone into the warehouse', () => {
 describe('giving back control of a drone of the warehouse', () => {
   it('says what it takes off for, and asks', async () => {
     const station = aStation();
-    station.virtuals.warehouse = [{ id: 'd1', name: 'Copter 1' }];
+    station.virtuals.pool = [{ id: 'd1', name: 'Copter 1' }];
     station.leases.held = new Map([['d1', 7]]);
     vi.spyOn(station.rest.virtuals, 'prospects').mockResolvedValue({ inWarehouse: true, waiting: [ROOFS] });
     const release = vi.spyOn(station.leases, 'release').mockResolvedValue();
