@@ -20,7 +20,7 @@ export interface MapMode {
   end(station: Part): void;
 }
 
-/** The map serves one hand at a time: of two that are on, the first. */
+/** The map has one use at a time: of two that are on, the first. */
 export const MAP_MODES: readonly MapMode[] = [
   {
     name: 'changing a run',

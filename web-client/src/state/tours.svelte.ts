@@ -1,7 +1,7 @@
 import type { FleetPlan, PlanAim, PlanCalls, PlanObjective, PlanWaypoint } from '../api/plans';
 import { Problem, sentenceFor } from '../api/problem';
 import type { Coordinates } from '../geo/coordinates';
-import { NO_DEMAND, type Demand } from '../tours/demand';
+import { NO_REQUIREMENTS, type Requirements } from '../tours/requirements';
 import { isUnderWay } from '../tours/tour-text';
 
 /** The name under which the editor keeps the waypoints for several drones; no drone is called so. */
@@ -21,7 +21,7 @@ export class Tours {
   /** Degrees clockwise from north. */
   windFrom = $state<number | null>(null);
   /** By the keys of the waypoints in the editor. */
-  demands = $state.raw<ReadonlyMap<number, Demand>>(new Map());
+  requirements = $state.raw<ReadonlyMap<number, Requirements>>(new Map());
   problem = $state<string | null>(null);
   /** Something was sent and is not answered yet. */
   busy = $state(false);
@@ -83,12 +83,12 @@ export class Tours {
     this.problem = null;
   }
 
-  demand(key: number): Demand {
-    return this.demands.get(key) ?? NO_DEMAND;
+  requirementsOf(key: number): Requirements {
+    return this.requirements.get(key) ?? NO_REQUIREMENTS;
   }
 
-  changeDemand(key: number, change: Partial<Demand>): void {
-    this.demands = new Map(this.demands).set(key, { ...this.demand(key), ...change });
+  changeRequirements(key: number, change: Partial<Requirements>): void {
+    this.requirements = new Map(this.requirements).set(key, { ...this.requirementsOf(key), ...change });
   }
 
   show(id: string): void {

@@ -12,7 +12,7 @@ import type {
 } from '../api/plans';
 import type { Drone } from '../api/types';
 import type { Draft } from '../plan/draft';
-import { NO_DEMAND, type Demand } from './demand';
+import { NO_REQUIREMENTS, type Requirements } from './requirements';
 import { counted, distance, fixed, span } from '../ui/format';
 
 /** So many colours there are for tours; further ones begin anew. */
@@ -120,7 +120,7 @@ export function barsOf(tour: PlanTour, all: readonly PlanTour[]): Bar[] {
 /** Of the plan in the editor; take-off and end are the planner's. */
 export function waypointsOf(
   draft: Draft | null,
-  demandOf: (key: number) => Demand = () => NO_DEMAND,
+  requirementsAt: (key: number) => Requirements = () => NO_REQUIREMENTS,
 ): PlanWaypoint[] {
   return (draft?.waypoints ?? []).flatMap((waypoint, index) =>
     waypoint.altitude === null
@@ -133,15 +133,15 @@ export function waypointsOf(
             altitude: waypoint.altitude,
             altitudeReference: waypoint.altitudeReference,
             holdSeconds: waypoint.holdSeconds,
-            ...wishes(demandOf(waypoint.key)),
+            ...requirementFields(requirementsAt(waypoint.key)),
           },
         ],
   );
 }
 
-function wishes(demand: Demand): Partial<PlanWaypoint> {
-  const { priority, opens, closes, picture } = demand;
-  const tasks = tasksOf(demand);
+function requirementFields(requirements: Requirements): Partial<PlanWaypoint> {
+  const { priority, opens, closes, picture } = requirements;
+  const tasks = tasksOf(requirements);
   return {
     ...(priority === null ? {} : { priority }),
     ...(opens === null && closes === null ? {} : { window: { opens, closes } }),
@@ -151,7 +151,7 @@ function wishes(demand: Demand): Partial<PlanWaypoint> {
 }
 
 /** Servos are moved first, so that what they do is on the photo. */
-function tasksOf({ photo, servo, pulse, sensors }: Demand): PlanTask[] {
+function tasksOf({ photo, servo, pulse, sensors }: Requirements): PlanTask[] {
   return [
     ...(servo === null || pulse === null ? [] : [{ type: 'servo', output: servo, pulse } as const]),
     ...(photo ? [{ type: 'photo' } as const] : []),

@@ -3,7 +3,7 @@ import type { FleetPlan, PlanProgress, PlanTour } from '../api/plans';
 import { Problem } from '../api/problem';
 import { addWaypoint, changeWaypoint, emptyDraft, reordered } from '../plan/draft';
 import { Tours } from '../state/tours.svelte';
-import { NO_DEMAND } from './demand';
+import { NO_REQUIREMENTS } from './requirements';
 import {
   barsOf,
   compared,
@@ -15,7 +15,7 @@ import {
   waypointsOf,
 } from './tour-text';
 import { tourFeatures } from './tour-features';
-import { whyNotAsked, whyNotWished } from './wishes';
+import { whyRequirementsInvalid, whyOptionsInvalid } from './plan-limits';
 
 const PLACES = new Map([
   ['1', { latitude: 47.1, longitude: 8.1 }],
@@ -151,7 +151,7 @@ describe('a plan for several drones', () => {
   it('asks for what each waypoint wants, and for the rest of nothing', () => {
     const draft = addWaypoint(addWaypoint(emptyDraft(), HOME, 20), HOME, 30);
     const wants = {
-      ...NO_DEMAND,
+      ...NO_REQUIREMENTS,
       priority: 10,
       opens: null,
       closes: 60,
@@ -161,7 +161,7 @@ describe('a plan for several drones', () => {
       pulse: 1900,
       sensors: 5,
     };
-    const [first, second] = waypointsOf(draft, (key) => (key === 2 ? wants : NO_DEMAND));
+    const [first, second] = waypointsOf(draft, (key) => (key === 2 ? wants : NO_REQUIREMENTS));
     expect(Object.keys(first ?? {})).not.toContain('priority');
     expect(second).toMatchObject({
       priority: 10,
@@ -174,18 +174,20 @@ describe('a plan for several drones', () => {
       ],
     });
     expect(Object.keys(first ?? {})).not.toContain('tasks');
-    expect(whyNotAsked({ ...wants, pulse: null }, 2)).toBe(
+    expect(whyRequirementsInvalid({ ...wants, pulse: null }, 2)).toBe(
       'The servo of waypoint 2 needs an output from 1 to 32 and 500 to 2500 µs.',
     );
-    expect(whyNotAsked({ ...wants, sensors: 0 }, 2)).toBe(
+    expect(whyRequirementsInvalid({ ...wants, sensors: 0 }, 2)).toBe(
       'Sensors are read for 1 to 3600 seconds at waypoint 2.',
     );
-    expect(whyNotAsked({ ...wants, opens: 61 }, 2)).toBe('Waypoint 2 ends before it begins.');
-    expect(whyNotWished({ seconds: 5, windSpeed: 4, windFrom: null })).toBe('Say where the wind comes from.');
-    expect(whyNotWished({ seconds: 61, windSpeed: null, windFrom: null })).toBe(
+    expect(whyRequirementsInvalid({ ...wants, opens: 61 }, 2)).toBe('Waypoint 2 ends before it begins.');
+    expect(whyOptionsInvalid({ seconds: 5, windSpeed: 4, windFrom: null })).toBe(
+      'Enter where the wind comes from.',
+    );
+    expect(whyOptionsInvalid({ seconds: 61, windSpeed: null, windFrom: null })).toBe(
       'Search for 0.1 to 60 seconds.',
     );
-    expect(whyNotWished({ seconds: 5, windSpeed: 4, windFrom: 270 })).toBeNull();
+    expect(whyOptionsInvalid({ seconds: 5, windSpeed: 4, windFrom: 270 })).toBeNull();
   });
 
   it('marks on the map what nobody visits', () => {

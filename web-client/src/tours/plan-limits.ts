@@ -1,19 +1,19 @@
 import { isWithin, type AltitudeRange } from '../plan/draft';
-import type { Demand } from './demand';
+import type { Requirements } from './requirements';
 
 export const SEARCH_SECONDS: AltitudeRange = { lowest: 0.1, highest: 60 };
 export const WIND_SPEEDS: AltitudeRange = { lowest: 0, highest: 100 };
 export const DIRECTIONS: AltitudeRange = { lowest: 0, highest: 360 };
 export const WINDOW_SECONDS: AltitudeRange = { lowest: 0, highest: 86_400 };
 
-interface Wishes {
+interface PlanOptions {
   seconds: number | null;
   windSpeed: number | null;
   windFrom: number | null;
 }
 
-/** What is wrong with the wishes for a plan, as the cloud would say; null: nothing is. */
-export function whyNotWished({ seconds, windSpeed, windFrom }: Wishes): string | null {
+/** The first option of a plan that is invalid, as a sentence like that of the cloud; null: none is. */
+export function whyOptionsInvalid({ seconds, windSpeed, windFrom }: PlanOptions): string | null {
   if (!isWithin(SEARCH_SECONDS, seconds)) {
     return 'Search for 0.1 to 60 seconds.';
   }
@@ -23,14 +23,14 @@ export function whyNotWished({ seconds, windSpeed, windFrom }: Wishes): string |
   if (windFrom !== null && !isWithin(DIRECTIONS, windFrom)) {
     return 'The wind comes from 0 to 360 degrees.';
   }
-  return windSpeed !== null && windSpeed > 0 && windFrom === null ? 'Say where the wind comes from.' : null;
+  return windSpeed !== null && windSpeed > 0 && windFrom === null ? 'Enter where the wind comes from.' : null;
 }
 
 export const OUTPUTS: AltitudeRange = { lowest: 1, highest: 32 };
 export const PULSES: AltitudeRange = { lowest: 500, highest: 2500 };
 export const SENSOR_SECONDS: AltitudeRange = { lowest: 1, highest: 3600 };
 
-function whyNotDone({ servo, pulse, sensors }: Demand, number: number): string | null {
+function whyTasksInvalid({ servo, pulse, sensors }: Requirements, number: number): string | null {
   if ((servo !== null || pulse !== null) && (!isWithin(OUTPUTS, servo) || !isWithin(PULSES, pulse))) {
     return `The servo of waypoint ${number} needs an output from 1 to 32 and 500 to 2500 µs.`;
   }
@@ -39,9 +39,9 @@ function whyNotDone({ servo, pulse, sensors }: Demand, number: number): string |
     : null;
 }
 
-/** The same of what one waypoint asks for. */
-export function whyNotAsked(demand: Demand, number: number): string | null {
-  const { opens, closes } = demand;
+/** The first requirement of a waypoint that is invalid, as a sentence; null: none is. */
+export function whyRequirementsInvalid(requirements: Requirements, number: number): string | null {
+  const { opens, closes } = requirements;
   if (
     (opens !== null && !isWithin(WINDOW_SECONDS, opens)) ||
     (closes !== null && !isWithin(WINDOW_SECONDS, closes))
@@ -50,5 +50,5 @@ export function whyNotAsked(demand: Demand, number: number): string | null {
   }
   return closes !== null && closes < (opens ?? 0)
     ? `Waypoint ${number} ends before it begins.`
-    : whyNotDone(demand, number);
+    : whyTasksInvalid(requirements, number);
 }

@@ -1,5 +1,5 @@
-/** What a waypoint asks for beside its place; null: nothing in particular. */
-export interface Demand {
+/** The requirements of a waypoint beside its place; null: none. */
+export interface Requirements {
   priority: number | null;
   /** Seconds after the start of the plan. */
   opens: number | null;
@@ -13,7 +13,7 @@ export interface Demand {
   sensors: number | null;
 }
 
-export const NO_DEMAND: Demand = {
+export const NO_REQUIREMENTS: Requirements = {
   priority: null,
   opens: null,
   closes: null,
