@@ -90,7 +90,7 @@ export class RunCalls {
     return this.#call('POST', path(id, 'pause'));
   }
 
-  goOn(id: string): Promise<MissionRun> {
+  resumeRun(id: string): Promise<MissionRun> {
     return this.#call('POST', path(id, 'continue'));
   }
 

@@ -36,7 +36,7 @@ describe('the runs that the page knows', () => {
       .mockRejectedValueOnce(new Error('Too far.'))
       .mockResolvedValue(aRun({ journal: 5 }));
     const runs = runsWith({ add });
-    runs.take('add');
+    runs.selectTool('add');
     runs.mark({ latitude: 47.5, longitude: 8 });
     await runs.addMarks(30);
     expect(runs.problem).toBe('Too far.');
@@ -52,7 +52,7 @@ describe('the runs that the page knows', () => {
     const move = vi.fn().mockResolvedValue(aRun());
     const runs = runsWith({ move });
     runs.choose('2');
-    runs.take('move');
+    runs.selectTool('move');
     runs.mark({ latitude: 1, longitude: 2 });
     runs.mark({ latitude: 3, longitude: 4 });
     await runs.moveChosen();
@@ -61,7 +61,7 @@ describe('the runs that the page knows', () => {
 
   it('puts a tool aside when the run takes no wishes any more', () => {
     const runs = runsWith({});
-    runs.take('add');
+    runs.selectTool('add');
     runs.apply(aRun({ journal: 5, state: 'over' }));
     expect(runs.tool).toBeNull();
   });
@@ -129,7 +129,7 @@ describe('the panel of a run', () => {
 
   it('leaves pausing and ending within reach while places are marked', async () => {
     const station = panelFor('operator', aRun({}));
-    station.runs.take('add');
+    station.runs.selectTool('add');
     await tick();
     for (const name of ['Stop marking', 'Pause the run', 'End the run']) {
       expect(screen.getByRole('button', { name })).toBeDefined();

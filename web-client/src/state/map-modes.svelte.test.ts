@@ -17,7 +17,7 @@ const BEGIN: Record<string, () => void> = {
     station.runs.apply(aRun());
     station.runs.show('r1');
     flushSync();
-    station.runs.take('add');
+    station.runs.selectTool('add');
   },
   'drawing a zone': () => (station.zones.draft = newZone('polygon')),
   planning: () => station.planner.begin(FLEET_DRAFT),
@@ -109,7 +109,7 @@ describe('the place where a waypoint is to be moved to', () => {
     station.runs.show('r1');
     flushSync();
     station.runs.choose('2');
-    station.runs.take('move');
+    station.runs.selectTool('move');
     flushSync();
     expect(station.runs.tool).toBe('move');
     station.runs.apply(aRun({ waypoints: [aRunWaypoint('2', { state: 'visited' })] }));

@@ -27,7 +27,7 @@ export const MAP_MODES: readonly MapMode[] = [
     role: 'operator',
     isOn: ({ runs }) => runs.tool !== null,
     click: ({ runs }, place) => runs.mark(place),
-    end: ({ runs }) => runs.lay(),
+    end: ({ runs }) => runs.clearTool(),
   },
   {
     name: 'drawing a zone',
@@ -100,13 +100,13 @@ export function keepMapModes(station: Part): void {
   $effect(() => {
     const waypoint = runs.shown?.waypoints.find((one) => one.id === runs.chosen);
     if (runs.tool === 'move' && (waypoint === undefined || isSettled(waypoint))) {
-      runs.lay();
+      runs.clearTool();
     }
   });
 
   $effect(() => {
     if (planner.droneId !== null || zones.draft !== null || view.selectedId !== null) {
-      runs.lay();
+      runs.clearTool();
     }
   });
 

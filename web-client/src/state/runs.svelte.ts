@@ -46,7 +46,7 @@ export class Runs {
     }
     this.#all = new Map(this.#all).set(run.id, run);
     if (run.id === this.shownId && run.state !== 'running' && run.state !== 'paused') {
-      this.lay();
+      this.clearTool();
     }
   }
 
@@ -61,7 +61,7 @@ export class Runs {
     this.shownId = null;
     this.chosen = null;
     this.problem = null;
-    this.lay();
+    this.clearTool();
   }
 
   clear(): void {
@@ -72,16 +72,16 @@ export class Runs {
 
   choose(waypoint: string | null): void {
     this.chosen = waypoint;
-    this.lay();
+    this.clearTool();
   }
 
-  take(tool: RunTool): void {
+  selectTool(tool: RunTool): void {
     this.tool = tool;
     this.marks = [];
   }
 
   /** Puts the tool aside, and what was marked with it. */
-  lay(): void {
+  clearTool(): void {
     this.tool = null;
     this.marks = [];
   }
@@ -128,56 +128,56 @@ export class Runs {
       altitude,
       altitudeReference: 'home',
     }));
-    await this.#wish((id) => this.#calls.add(id, waypoints));
+    await this.#act((id) => this.#calls.add(id, waypoints));
   }
 
   async moveChosen(): Promise<void> {
     const [mark] = this.marks;
     const { chosen } = this;
     if (mark !== undefined && chosen !== null) {
-      await this.#wish((id) => this.#calls.move(id, chosen, mark.latitude, mark.longitude));
+      await this.#act((id) => this.#calls.move(id, chosen, mark.latitude, mark.longitude));
     }
   }
 
   async cancel(waypoint: string): Promise<void> {
-    await this.#wish((id) => this.#calls.cancel(id, waypoint));
+    await this.#act((id) => this.#calls.cancel(id, waypoint));
   }
 
   async join(drone: string): Promise<void> {
-    await this.#wish((id) => this.#calls.join(id, drone));
+    await this.#act((id) => this.#calls.join(id, drone));
   }
 
   async resume(drone: string): Promise<void> {
-    await this.#wish((id) => this.#calls.resume(id, drone));
+    await this.#act((id) => this.#calls.resume(id, drone));
   }
 
   async giveUp(drone: string): Promise<void> {
-    await this.#wish((id) => this.#calls.giveUp(id, drone));
+    await this.#act((id) => this.#calls.giveUp(id, drone));
   }
 
   async answer(proposal: number, accept: boolean): Promise<void> {
-    await this.#wish((id) => this.#calls.answer(id, proposal, accept));
+    await this.#act((id) => this.#calls.answer(id, proposal, accept));
   }
 
   async pause(): Promise<void> {
-    await this.#wish((id) => this.#calls.pause(id));
+    await this.#act((id) => this.#calls.pause(id));
   }
 
-  async goOn(): Promise<void> {
-    await this.#wish((id) => this.#calls.goOn(id));
+  async resumeRun(): Promise<void> {
+    await this.#act((id) => this.#calls.resumeRun(id));
   }
 
   async stop(): Promise<void> {
-    await this.#wish((id) => this.#calls.stop(id));
+    await this.#act((id) => this.#calls.stop(id));
   }
 
   /** What was marked stays when the run refuses it. */
-  async #wish(wish: (id: string) => Promise<MissionRun>): Promise<void> {
+  async #act(call: (id: string) => Promise<MissionRun>): Promise<void> {
     const id = this.shownId;
     if (id !== null && !this.busy) {
       await this.#send(async () => {
-        this.apply(await wish(id));
-        this.lay();
+        this.apply(await call(id));
+        this.clearTool();
       });
     }
   }

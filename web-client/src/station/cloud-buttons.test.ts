@@ -20,7 +20,7 @@ const CHANGES = /'(POST|PUT|PATCH|DELETE)'/;
 const READS = new Set(['streamTicket', 'compareParameterFile', 'order', 'positions', 'signIn', 'verify']);
 /** The page's own, where the name is that of one that changes; who signs out needs no stream. */
 const OWN = new Set([
-  'runs.take',
+  'runs.selectTool',
   'runs.show',
   'station.retryNow',
   'station.signOut',

@@ -51,7 +51,7 @@ function stepBack(station: Station): boolean {
   } else if (view.page !== 'map') {
     view.page = 'map';
   } else if (runs.tool !== null) {
-    runs.lay();
+    runs.clearTool();
   } else if (planner.droneId !== null) {
     planner.stop();
   } else if (view.selectedId !== null) {
