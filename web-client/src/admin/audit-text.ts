@@ -10,7 +10,7 @@ export const OUTCOME_WORDS: Record<AuditOutcome, string> = {
   unknown: 'not known',
 };
 
-const FACES: Record<string, string> = {
+const INTERFACES: Record<string, string> = {
   page: 'on the page',
   rest: 'by REST',
   soap: 'by SOAP',
@@ -22,7 +22,7 @@ const FACES: Record<string, string> = {
 };
 
 /** What the server does by itself. */
-const OWN_DEEDS: Record<string, string> = {
+const SYSTEM_ACTIONS: Record<string, string> = {
   controlLost: 'control lost',
   controlExpired: 'control expired',
   controlWithdrawn: 'control withdrawn',
@@ -42,14 +42,14 @@ export function actorText(record: AuditRecord): string {
 export function actionText(record: AuditRecord): string {
   return record.command !== null && record.parameters !== ''
     ? record.parameters
-    : (OWN_DEEDS[record.operation] ?? record.operation.replace('/api/v1/', ''));
+    : (SYSTEM_ACTIONS[record.operation] ?? record.operation.replace('/api/v1/', ''));
 }
 
 /** Everything else, without what is not known. */
 export function detailText(record: AuditRecord, nameOf: (drone: string) => string): string {
   return [
     record.drone === null ? null : nameOf(record.drone),
-    FACES[record.face] ?? record.face,
+    INTERFACES[record.face] ?? record.face,
     record.accessKey === null ? null : 'with a key',
     record.epoch === null ? null : `control ${record.epoch}`,
     record.command === null && record.parameters !== '' ? record.parameters : null,

@@ -40,7 +40,7 @@ export class ZoneCalls {
   }
 
   /** All zones of a GeoJSON file, or none. */
-  async take(file: Blob): Promise<Zone[]> {
+  async importFile(file: Blob): Promise<Zone[]> {
     return (await this.#call<{ features: Zone[] }>('POST', '/zones/import', file)).features;
   }
 

@@ -87,10 +87,10 @@ export class FlightMap {
       this.#shown.set(source, text);
     }
     this.#live.set(source, data);
-    this.#hand(source, data);
+    this.#setData(source, data);
   }
 
-  #hand(source: LiveSource, data: FeatureCollection): void {
+  #setData(source: LiveSource, data: FeatureCollection): void {
     if (this.#ready) {
       this.#map.getSource<GeoJSONSource>(source)?.setData(data);
     }
@@ -163,7 +163,7 @@ export class FlightMap {
     const map = this.#map;
     map.on('style.load', () => {
       this.#ready = true;
-      this.#live.forEach((data, source) => this.#hand(source, data));
+      this.#live.forEach((data, source) => this.#setData(source, data));
       this.#showGrid();
     });
     map.setMissingStyleImageResolver((id) => {

@@ -66,7 +66,7 @@ describe('mission section', () => {
     station.planner.begin('d1');
     station.planner.edit((draft) => addWaypoint(draft, { latitude: 47.4, longitude: 8.5 }, 20));
     station.planner.markSent();
-    station.planner.becameTrue('d1');
+    station.planner.markUploaded('d1');
     const { rerender } = show(station, flyable({ mission: aMission() }));
     await tick();
     scrolled.mockClear();

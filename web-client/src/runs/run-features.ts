@@ -16,14 +16,14 @@ export function runFeatures(
   run: MissionRun | null,
   chosen: string | null,
   marks: readonly Coordinates[],
-  standOf: (drone: string) => Coordinates | null,
+  startOf: (drone: string) => Coordinates | null,
 ): FeatureCollection {
   if (run === null) {
     return { type: 'FeatureCollection', features: [] };
   }
   const places = new Map(run.waypoints.map((waypoint) => [waypoint.id, waypoint]));
   const features = [
-    ...run.drones.flatMap((drone) => wayOf(run, drone, places, standOf(drone.id))),
+    ...run.drones.flatMap((drone) => wayOf(run, drone, places, startOf(drone.id))),
     ...run.waypoints.map((waypoint) => {
       const { tone, mark } = WAYPOINT_LOOKS[waypoint.state];
       const label = mark === '' ? waypoint.id : `${waypoint.id} ${mark}`;
@@ -50,10 +50,10 @@ function wayOf(
   run: MissionRun,
   drone: RunDrone,
   places: ReadonlyMap<string, Coordinates>,
-  stand: Coordinates | null,
+  start: Coordinates | null,
 ): Feature[] {
   const next = drone.next.map((id) => places.get(id)).filter((place) => place !== undefined);
-  const way = stand === null ? next : [stand, ...next];
+  const way = start === null ? next : [start, ...next];
   if (run.state === 'over' || next.length === 0 || way.length < 2) {
     return [];
   }

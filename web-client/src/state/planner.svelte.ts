@@ -12,7 +12,7 @@ export class Planner {
   #drafts = $state.raw<ReadonlyMap<string, Draft>>(new Map());
   /** What each vehicle shall do when the cloud falls silent on its mission; on to the end unless chosen. */
   #cloudLoss = $state.raw<ReadonlyMap<string, CloudLoss>>(new Map());
-  /** The drone whose plan has just become true, until its panel has shown what comes next. */
+  /** The drone whose plan was just uploaded, until its panel has shown what comes next. */
   uploaded = $state<string | null>(null);
   /** What was sent to each vehicle, until its outcome is known. */
   readonly #sent = new Map<string, Draft>();
@@ -86,15 +86,15 @@ export class Planner {
     }
   }
 
-  /** The plan as it is now is on its way to the vehicle. */
+  /** Remembers the draft that is being uploaded. */
   markSent(): void {
     if (this.droneId !== null && this.draft !== null) {
       this.#sent.set(this.droneId, this.draft);
     }
   }
 
-  /** The plan that was sent has become true: forget it, unless it was edited meanwhile. */
-  becameTrue(droneId: string): void {
+  /** Discards the draft that was uploaded, unless it was edited meanwhile. */
+  markUploaded(droneId: string): void {
     const sent = this.#sent.get(droneId);
     this.#sent.delete(droneId);
     if (sent !== undefined && sent === this.draftFor(droneId)) {

@@ -42,7 +42,7 @@ export class Station {
   readonly planner = new Planner();
   readonly commands = new Commands(this.#signed(), newUuid, (attempt) => {
     if (attempt.type === 'uploadMission') {
-      this.planner.becameTrue(attempt.drone);
+      this.planner.markUploaded(attempt.drone);
     }
   });
   readonly leases = new ControlLeases(this.rest.control);

@@ -64,9 +64,9 @@ export class Zones {
     }
   }
 
-  async take(file: Blob): Promise<void> {
+  async importFile(file: Blob): Promise<void> {
     await this.#attempt(async () => {
-      (await this.#calls.take(file)).forEach((zone) => this.apply(zone));
+      (await this.#calls.importFile(file)).forEach((zone) => this.apply(zone));
     });
   }
 

@@ -68,7 +68,7 @@ function changesSomething(handler: string, changes: Set<string>): boolean {
   );
 }
 
-/** Native buttons and forms that change something, and do not ask the line: `CloudButton` and its kin do. */
+/** Native buttons and forms that change something, and do not check the connection, as `CloudButton` does. */
 function bare(name: string, source: string, changes: Set<string>): string[] {
   const asks = /blocked|unready|why|disabled=\{off\}|offline/i;
   return [...source.matchAll(/<(?:button|form)\b[\s\S]*?(?=\n\s*>|[^=]>)/g)]
@@ -78,7 +78,7 @@ function bare(name: string, source: string, changes: Set<string>): string[] {
     .map((tag) => `${name}: ${tag.replace(/\s+/g, ' ').slice(0, 110)}`);
 }
 
-describe('without a line to the cloud', () => {
+describe('without a connection to the cloud', () => {
   const changes = changing();
 
   it('what changes something there is known from the code', () => {
@@ -86,7 +86,7 @@ describe('without a line to the cloud', () => {
     expect(some.filter((name) => !changes.has(name))).toEqual([]);
   });
 
-  it('no button asks anything of it: each looks at the line first and says why it does not', () => {
+  it('no button sends anything: each checks the connection first and says why it does not', () => {
     const all = [...sources]
       .filter(([name]) => name.endsWith('.svelte') && !WITHOUT_STREAM.some((where) => name.startsWith(where)))
       .flatMap(([name, text]) => bare(name, text, changes));

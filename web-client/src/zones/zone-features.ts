@@ -13,7 +13,7 @@ export function zoneFeatures(zones: readonly Area[]): FeatureCollection {
   return {
     type: 'FeatureCollection',
     features: zones.map((zone) =>
-      area(ringOf(zone), { kind: zone.properties.kind, label: zone.properties.name }),
+      area(outlineOf(zone), { kind: zone.properties.kind, label: zone.properties.name }),
     ),
   };
 }
@@ -41,7 +41,7 @@ export function zoneDraftFeatures(draft: ZoneDraft | null): FeatureCollection {
 }
 
 /** Where the map has to look to show it. */
-export function ringOf(zone: Area): Position[] {
+export function outlineOf(zone: Area): Position[] {
   return zone.geometry.type === 'Point'
     ? circle(zone.geometry.coordinates, zone.properties.radius ?? 0)
     : closed(zone.geometry.coordinates[0] ?? []);

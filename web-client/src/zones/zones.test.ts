@@ -3,7 +3,7 @@ import { ZoneCalls, type Zone } from '../api/zones';
 import { Zones } from '../state/zones.svelte';
 import { aZone } from '../testing';
 import { draftOf, featureOf, missing, newZone, withoutLastPoint, withPoint } from './zone-draft';
-import { ringOf, zoneDraftFeatures, zoneFeatures } from './zone-features';
+import { outlineOf, zoneDraftFeatures, zoneFeatures } from './zone-features';
 import { zoneText } from './zone-text';
 
 const HERE = { latitude: 47, longitude: 8 };
@@ -85,7 +85,7 @@ describe('a zone that is drawn', () => {
 
 describe('a zone on the map', () => {
   it('draws circles as areas of their size', () => {
-    const north = Math.max(...ringOf(aZone()).map(([, latitude = 0]) => latitude));
+    const north = Math.max(...outlineOf(aZone()).map(([, latitude = 0]) => latitude));
     expect((north - 47) * 111_195).toBeCloseTo(100, 3);
     expect(zoneFeatures([aZone()]).features[0]?.properties).toEqual({ kind: 'exclusion', label: 'School' });
   });
@@ -105,7 +105,7 @@ describe('a zone on the map', () => {
         ],
       },
     };
-    expect(ringOf(zone)[1]?.[0]).toBeCloseTo(180.1, 6);
+    expect(outlineOf(zone)[1]?.[0]).toBeCloseTo(180.1, 6);
   });
 
   it('shows what is drawn so far', () => {
