@@ -21,7 +21,7 @@ const INTERFACES: Record<string, string> = {
   virtual: 'for a virtual drone',
 };
 
-/** What the server does by itself. */
+/** Actions of the server itself. */
 const SYSTEM_ACTIONS: Record<string, string> = {
   controlLost: 'control lost',
   controlExpired: 'control expired',
@@ -33,12 +33,12 @@ const SYSTEM_ACTIONS: Record<string, string> = {
   releaseDrone: 'drone released',
 };
 
-/** Who it was, in a word. */
+/** The user, in a word. */
 export function actorText(record: AuditRecord): string {
   return record.by ?? 'nobody known';
 }
 
-/** What it was: of commands the summary, of the rest method and address without what all have in common. */
+/** The action: of commands the summary, of the rest method and address without their common prefix. */
 export function actionText(record: AuditRecord): string {
   return record.command !== null && record.parameters !== ''
     ? record.parameters

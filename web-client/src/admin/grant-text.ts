@@ -3,7 +3,7 @@ import type { Fleet, Grant, Group, Subject } from '../api/grants';
 import type { User } from '../api/accounts';
 import { counted } from '../ui/format';
 
-/** What can be granted, least first. */
+/** Operations that can be granted, least first. */
 export const OPERATIONS: readonly { label: string; operations: KeyOperation[] }[] = [
   { label: 'look', operations: ['view'] },
   { label: 'look and plan', operations: ['view', 'plan'] },
@@ -76,7 +76,7 @@ function dronesText(grant: Grant, fleets: readonly Fleet[], nameOf: (drone: stri
     : grant.drones.map(nameOf).join(', ');
 }
 
-/** What, with which drones, until when; in one line. */
+/** A grant in one line: operations, drones, end. */
 export function grantText(grant: Grant, fleets: readonly Fleet[], nameOf: (drone: string) => string): string {
   const what = `${grant.operations.join(', ')} · ${dronesText(grant, fleets, nameOf)}`;
   if (grant.state === 'toCome') {

@@ -27,7 +27,7 @@ export function scopeText(key: AccessKey, nameOf: (drone: string) => string): st
   return parts.filter((part) => part !== '').join(' · ');
 }
 
-/** Until when it serves, and when it last did. */
+/** The expiry and last use of a key. */
 export function usageText(key: AccessKey, now: number): string {
   const used = key.lastUsedAt === null ? 'not used yet' : `used ${age(now - Date.parse(key.lastUsedAt))}`;
   if (key.expiresAt === null) {

@@ -9,7 +9,7 @@ export type {
 
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
 
-/** The calls around control of a drone; each answers with how it is then. */
+/** The calls about control of a drone; each returns the new state of the lease. */
 export class ControlCalls {
   readonly #call: Call;
 

@@ -7,16 +7,16 @@ import { placeOf } from './place';
 
 /** Nearer than this it comes down where it is. */
 const ELSEWHERE_METERS = 5;
-/** Whoever listens to the page is told so often how long there is left. */
+/** The time left is announced to screen readers so often. */
 const SPOKEN_SECONDS = 10;
 
-/** Something that wants somebody: a drone in the air that nobody has. */
+/** A notice of a drone in the air that nobody has control of. */
 export interface Notice {
   words: string;
   tone: 'amber' | 'red';
 }
 
-/** Where a drone would be brought down. */
+/** The place where a drone would be brought down. */
 export interface Landing {
   place: Coordinates;
   /** From where it is; null: not known. */
@@ -33,7 +33,7 @@ export function landingOf(drone: Drone | null): Landing | null {
   return { place, meters: here === null ? null : distanceMeters(here, place) };
 }
 
-/** Where it would come down, as far as that is somewhere else. */
+/** The place where it would come down, where that is not below it. */
 export function landsElsewhere(drone: Drone | null): Coordinates | null {
   const landing = landingOf(drone);
   return landing !== null && (landing.meters ?? 0) > ELSEWHERE_METERS ? landing.place : null;
@@ -59,8 +59,8 @@ export function batteryText({ emptyAt }: Outlook, now: number): string | null {
 }
 
 /**
- * What comes of a drone that nobody has, as it is counted down; null: somebody has it, or nothing comes of it. `now`: the
- * cloud's time; null: there is no line to it, so that nothing can be counted.
+ * The countdown until a drone without control is brought home or down; null: somebody has control, or nothing is due. `now`:
+ * the cloud's time; null: there is no connection, so that nothing can be counted down.
  */
 export function countdownOf(drone: Drone, now: number | null): Notice | null {
   const { outlook } = drone;
@@ -92,7 +92,7 @@ export function spokenCountdown(drone: Drone, now: number | null): string {
     : `${broughtWhere(outlook)} within ${span(seconds)} unless somebody takes control.`;
 }
 
-/** What marks a drone in the list; null: somebody has it. */
+/** The notice in the list of drones; null: somebody has control. */
 export function noticeOf(drone: Drone, now: number | null): Notice | null {
   const { outlook } = drone;
   const counted = countdownOf(drone, now);

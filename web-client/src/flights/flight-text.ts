@@ -1,7 +1,7 @@
 import type { Flight, FlightEvent, TrackForm } from '../api/flights';
 import { distance, fixed, span, UNKNOWN } from '../ui/format';
 
-/** When it began and how long it took. */
+/** The begin and duration of a flight. */
 export function timeText(flight: Flight): string {
   const begin = new Date(flight.start).toLocaleString([], { dateStyle: 'medium', timeStyle: 'short' });
   const length = span(Math.round(flight.seconds));
@@ -9,7 +9,7 @@ export function timeText(flight: Flight): string {
   return `${begin} · ${length}${state}`;
 }
 
-/** Who, how far, how high, on what charge. */
+/** The users, distance, height and charge of a flight. */
 export function summaryText(flight: Flight): string {
   const who = flight.users.length === 0 ? 'by hand' : flight.users.join(', ');
   return [
@@ -39,7 +39,7 @@ export function facts(flight: Flight): [string, string][] {
   ];
 }
 
-/** What the flight can be taken along as; what was on the wire only where it was recorded. */
+/** The formats a flight can be exported in; tlog only where it was recorded. */
 export function trackForms(flight: Flight): TrackForm[] {
   return [
     'csv',
@@ -51,7 +51,7 @@ export function trackForms(flight: Flight): TrackForm[] {
   ];
 }
 
-/** How people write the names of forms. */
+/** The names of the formats. */
 export const FORM_NAMES: Record<TrackForm, string> = {
   csv: 'CSV',
   geojson: 'GeoJSON',

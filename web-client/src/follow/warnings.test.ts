@@ -96,7 +96,7 @@ describe('warnings', () => {
   });
 
   it('tell that the screen may go off, unless a recorded walk needs none', () => {
-    expect(keys({ wake: 'unsupported' })).toEqual(['unlit']);
+    expect(keys({ wake: 'unsupported' })).toEqual(['screen-off']);
     expect(keys({ wake: 'refused', demo: true })).toEqual([]);
   });
 
@@ -104,10 +104,10 @@ describe('warnings', () => {
     const absence = { why: 'cut' as const, seconds: 9, waited: 7, from: NOW - 9_000, until: NOW };
     expect(keys({ wake: 'refused', battery: 25, cutOffSince: NOW, absence })).toEqual([
       'cut-off',
-      'unlit',
+      'screen-off',
       'battery',
     ]);
-    expect(keys({ wake: 'refused', absence })).toEqual(['back', 'unlit']);
+    expect(keys({ wake: 'refused', absence })).toEqual(['back', 'screen-off']);
   });
 
   it('say the words of the cloud when it does not want the positions', () => {

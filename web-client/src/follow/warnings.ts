@@ -62,7 +62,16 @@ export function warningsFor(status: PhoneStatus): Warning[] {
 }
 
 const ABOUT_PLACE: readonly Rule[] = [denied, noFix, vague];
-const RULES: readonly Rule[] = [denied, noFix, cutOff, refusedByCloud, back, vague, unlit, lowBattery];
+const RULES: readonly Rule[] = [
+  denied,
+  noFix,
+  cutOff,
+  refusedByCloud,
+  back,
+  vague,
+  screenMayTurnOff,
+  lowBattery,
+];
 
 function denied({ locating }: PhoneStatus): Warning | null {
   return locating === 'denied'
@@ -183,12 +192,12 @@ function homeAfter(leading: boolean, patience: number | null): string {
     : '';
 }
 
-function unlit({ wake, leading, demo }: PhoneStatus): Warning | null {
+function screenMayTurnOff({ wake, leading, demo }: PhoneStatus): Warning | null {
   if (!leading || demo || wake === 'held' || wake === 'off') {
     return null;
   }
   return {
-    key: 'unlit',
+    key: 'screen-off',
     tone: 'amber',
     words: 'The screen may switch itself off.',
     todo: 'Then the phone says nothing more and the drone stands. Set the screen to stay on, and end power saving.',

@@ -9,8 +9,8 @@ import { itemNumber, waypointNumber } from '../plan/numbering';
 import { age } from '../ui/format';
 
 /**
- * Drones as one layer: heading, state ring, label; stale ones fade and say how old they are. `cut`: the page has no line to
- * the cloud, so that all of them are.
+ * Drones as one layer: heading, state ring, label; stale ones fade and say how old they are. `cut`: the page has no connection
+ * to the cloud, so that all of them are.
  */
 export function droneFeatures(
   drones: readonly Drone[],

@@ -24,7 +24,7 @@ const HIT_PIXELS = 14;
 /** Large and given once: not worth comparing. */
 const STILL_SOURCES: ReadonlySet<LiveSource> = new Set(['countries', 'names']);
 
-/** What lies where somebody clicked: ids, or null. */
+/** The ids of what was clicked, or null. */
 export interface Hit {
   drone: string | null;
   /** A waypoint of the mission run. */

@@ -3,10 +3,10 @@ import { counted } from '../ui/format';
 
 const COUNT = new Intl.NumberFormat('en-GB', { maximumFractionDigits: 0 });
 const RATE = new Intl.NumberFormat('en-GB', { maximumFractionDigits: 1 });
-/** Clients say that they are there each second. */
+/** Clients send a heartbeat each second. */
 const QUIET_SECONDS = 5;
 
-/** What goes to and from a ground station. */
+/** The message rates to and from a ground station. */
 export function rateText(client: OutletClient): string {
   const { messagesPerSecondOut: out, messagesPerSecondIn: into } = client;
   return `${rate(out)} messages/s to it, ${rate(into)}/s from it`;
@@ -20,7 +20,7 @@ export function clientText(client: OutletClient): string {
   return `${client.address} ${client.transport} · system ${client.systemId} · sees ${counted(client.drones, 'drone')}`;
 }
 
-/** What somebody should look at; null: nothing. */
+/** Problems of a client; null: none. */
 export function troubleText(client: OutletClient): string | null {
   const parts = [
     ...(client.dropped > 0 ? [`${COUNT.format(client.dropped)} dropped: its link is too slow`] : []),

@@ -1,4 +1,4 @@
-/** One way in: what it listens on, as a client is to name it. */
+/** An address that ground stations attach to. */
 export interface OutletAddress {
   scheme: 'udp' | 'tcp' | 'dtls' | 'ws' | 'wss';
   host: string;
@@ -41,7 +41,7 @@ export function addressText({ scheme, host, port }: OutletAddress): string {
     : `${scheme.toUpperCase()} ${host}:${port}`;
 }
 
-/** What signs for programs that cannot, in a shell; null: it finds no way in. */
+/** The command line of the signer, for programs that cannot sign; null: there is no address for it. */
 export function signerFor(addresses: readonly OutletAddress[]): string | null {
   const way = addresses.find((one) => one.scheme === 'udp' || one.scheme === 'tcp');
   return way === undefined

@@ -1,7 +1,7 @@
 import type { CommandKind, Drone, Outcome } from '../api/types';
 import type { Attempt } from '../state/commands.svelte';
 
-/** Why a control cannot be used now, or null: our own reasons first, then what the cloud says of the action. */
+/** The reason for which a control cannot be used now, or null: the page's own reason first, then that of the cloud. */
 export function whyNot(drone: Drone, type: CommandKind, own: string | null): string | null {
   if (own !== null) {
     return own;
@@ -13,7 +13,7 @@ export function whyNot(drone: Drone, type: CommandKind, own: string | null): str
   return action.allowed ? null : (action.why ?? 'Not possible now.');
 }
 
-/** Why its motors cannot be stopped whatever it does, or null. Robots stand still instead. */
+/** The reason for which its motors cannot be stopped, or null. Robots stop instead. */
 export function whyNoStop(drone: Drone): string | null {
   const { emergencyStop, forceDisarm } = drone.actions;
   const robot = emergencyStop?.allowed === true;
@@ -39,7 +39,7 @@ const GOES_ON: ReadonlySet<CommandKind> = new Set([
   'startMission',
 ]);
 
-/** What became of a press, in words. */
+/** The text and tone of a command's phase or outcome. */
 export function attemptText(attempt: Attempt): AttemptText {
   if (attempt.problem !== null) {
     return { tone: 'bad', words: `Not sent. ${attempt.problem}` };

@@ -5,7 +5,7 @@ import { fixed, UNKNOWN } from '../ui/format';
 /** From here on a pilot should know before anything else does. */
 const WORRYING_LOSS = 0.05;
 
-/** How well the link carries, in one line: what was lost lately and over a minute, and how long an answer takes. */
+/** The quality of the link in one line: loss now and over a minute, and round trip. */
 export function linkQualityText(quality: LinkQuality | undefined): string {
   const { lossShort, lossLong, rttMs } = quality ?? { lossShort: null, lossLong: null, rttMs: null };
   if (lossShort === null && rttMs === null) {

@@ -12,7 +12,7 @@ export function prospectText({ name, owner, waypoints }: Prospect): string {
   return `${what} (${counted(waypoints, 'waypoint')})`;
 }
 
-/** What else waits: what it flies later, and what it cannot fly. */
+/** The other waiting missions: those that it flies later, and those that it cannot fly. */
 export function laterFlights(prospects: Prospects): string[] {
   const first = nextFlight(prospects);
   return prospects.waiting

@@ -1,7 +1,7 @@
 import type { Recording } from '../api/recordings';
 import { span } from '../ui/format';
 
-/** When the flight was, how long it took and how large it is, in one line. */
+/** The length and size of a recording, in one line. */
 export function recordingText(flight: Recording): string {
   const length = flight.seconds === null ? 'going on' : span(Math.round(flight.seconds));
   return `${length} · ${size(flight.bytes)}`;

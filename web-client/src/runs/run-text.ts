@@ -144,7 +144,7 @@ export interface Share extends Look {
   count: number;
 }
 
-/** How many waypoints are in each state, in the order in which a bar shows them; what there is none of is left out. */
+/** The count of waypoints in each state, in the order of the bar; empty states are left out. */
 export function sharesOf(run: MissionRun): Share[] {
   const states: RunWaypointState[] = ['visited', 'assigned', 'waiting', 'reserved', 'unserved', 'cancelled'];
   return states
@@ -170,7 +170,7 @@ export function movedTexts(run: MissionRun, moved: readonly Moved[]): string[] {
   return [...pairs].map(([pair, waypoints]) => `${waypoints.join(', ')}: ${pair}`);
 }
 
-/** What a decision costs; null where nothing was planned. */
+/** The cost of a decision; null where nothing was planned. */
 export function costText(before: Figures | null, after: Figures | null): string | null {
   if (before === null || after === null) {
     return null;
@@ -185,7 +185,7 @@ function amount(cost: number): string {
   return cost.toLocaleString('en-GB', { maximumFractionDigits: cost < 100 ? 1 : 0 });
 }
 
-/** How long from now on; null: not known, or past. */
+/** The time from now on; null: unknown, or past. */
 export function dueText(due: string | null, now: number): string | null {
   if (due === null) {
     return null;
@@ -194,7 +194,7 @@ export function dueText(due: string | null, now: number): string | null {
   return seconds > 0 ? `in ${span(seconds)}` : null;
 }
 
-/** What one waypoint is up to, in one sentence. */
+/** The state of one waypoint, in one sentence. */
 export function waypointText(run: MissionRun, waypoint: RunWaypoint, now: number): string {
   const { words } = WAYPOINT_LOOKS[waypoint.state];
   if (waypoint.state === 'visited') {
@@ -213,7 +213,7 @@ export function isSettled(waypoint: RunWaypoint): boolean {
   return waypoint.state === 'visited' || waypoint.state === 'unserved' || waypoint.state === 'cancelled';
 }
 
-/** What one would look for first: left out, then nobody's, then to come in the order of coming, then done. */
+/** The order of waypoints: left out, then unassigned, then to come in the order of coming, then visited. */
 const ORDER: RunWaypointState[] = ['unserved', 'reserved', 'waiting', 'assigned', 'visited', 'cancelled'];
 
 export function sortedWaypoints(run: MissionRun): RunWaypoint[] {
@@ -222,7 +222,7 @@ export function sortedWaypoints(run: MissionRun): RunWaypoint[] {
   );
 }
 
-/** A pilot or somebody else has it, or it fell out: only a wish to resume brings it back. */
+/** Another holder has it, or it left the run: it comes back only when it is resumed. */
 export function mayResume(drone: RunDrone): boolean {
   return drone.stage === 'suspended' || drone.stage === 'left' || drone.stage === 'gone';
 }
@@ -231,14 +231,14 @@ export function mayGiveUp(drone: RunDrone): boolean {
   return !['left', 'gone', 'crashed'].includes(drone.stage);
 }
 
-/** It can be told to stand still where it is. */
+/** It is in the air, so that it can hold. */
 export function isInTheAir(drone: RunDrone): boolean {
   return ['starting', 'flying', 'holding', 'replacing', 'continuing', 'resuming', 'returning'].includes(
     drone.stage,
   );
 }
 
-/** What moves at once when a paused run goes on; null: nothing that is known now. */
+/** The drones that move at once when a paused run is resumed; null: none that is known now. */
 export function resumeText(run: MissionRun): string | null {
   const words = run.drones
     .filter(({ next }) => next.length > 0)

@@ -67,7 +67,7 @@ export function keepMapModes(station: Part): void {
   const { view, planner, runs, tours, virtuals, zones } = station;
   const endAll = (): void => MAP_MODES.forEach((mode) => mode.end(station));
 
-  // What is flown now is looked at: a forgotten draft must not take the clicks, nor lie over it.
+  // An opened run is shown: a forgotten draft must not receive the clicks, nor cover it.
   const ran = $derived(runs.shownId);
   $effect(() => {
     if (ran !== null) {

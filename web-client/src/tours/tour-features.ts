@@ -3,7 +3,7 @@ import type { FleetPlan, PlanPlace } from '../api/plans';
 import type { Coordinates } from '../geo/coordinates';
 import { toneOf } from './tour-text';
 
-/** One line a drone: straight from waypoint to waypoint while it is searched for, then as it is flown. */
+/** One line for each drone: straight from waypoint to waypoint during the search, then as it is flown. */
 export function tourFeatures(
   plan: FleetPlan | null,
   places: ReadonlyMap<string, Coordinates>,

@@ -15,7 +15,7 @@ import type { Draft } from '../plan/draft';
 import { NO_REQUIREMENTS, type Requirements } from './requirements';
 import { counted, distance, fixed, span } from '../ui/format';
 
-/** So many colours there are for tours; further ones begin anew. */
+/** The number of colours for tours; further tours repeat them. */
 export const TOUR_TONES = 6;
 
 export function toneOf(plan: FleetPlan, drone: string): number {
@@ -44,7 +44,7 @@ export function whyNotPlanned(drone: Drone): string | null {
   return (drone.battery?.percent ?? null) === null ? 'its battery is not known' : null;
 }
 
-/** In plain words, and never better than it is. */
+/** The gap to the best possible plan, rounded up. */
 export function gapText(progress: PlanProgress): string {
   if (progress.unserved > 0) {
     return `${counted(progress.unserved, 'waypoint')} left out.`;
@@ -197,7 +197,7 @@ export function planName(plan: FleetPlan): string {
   return `${counted(plan.drones.length, 'drone')}, ${counted(plan.waypoints, 'waypoint')}${ends}`;
 }
 
-/** How a plan got better, as points of a picture 100 wide and 100 high; empty where there is nothing to be seen. */
+/** The improvements of a plan, as points of a picture 100 wide and 100 high; empty where there are none. */
 export function stepsOf(improvements: readonly PlanProgress[], seconds: number): string {
   const whole = improvements.filter((step) => step.unserved === improvements.at(-1)?.unserved);
   const most = Math.max(...whole.map((step) => step.longestSeconds));
@@ -231,7 +231,7 @@ export function tourRequest(drone: string, draft: Draft): TourRequest {
   };
 }
 
-/** What ordering the waypoints of a mission has come to. */
+/** The result of ordering the waypoints of a mission. */
 export function orderText({ before, after, unserved, order }: OrderedTour): string {
   const left =
     unserved.length === 0

@@ -45,7 +45,7 @@ export function toneOf(drone: VirtualDrone): Tone {
   }
 }
 
-/** How it is now with the drone that serves, such as “battery 87 %, 20 m above home”; empty when none does. */
+/** The state of the serving drone, such as “battery 87 %, 20 m above home”; empty when none does. */
 export function liveText(drone: VirtualDrone): string {
   const { live } = drone;
   if (live === null) {

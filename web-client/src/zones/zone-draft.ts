@@ -93,7 +93,7 @@ export function withoutLastPoint(draft: ZoneDraft): ZoneDraft {
   return { ...draft, points: draft.points.slice(0, -1) };
 }
 
-/** What is still missing, as a sentence; null when it can be sent. */
+/** The first thing that is missing, as a sentence; null when it can be sent. */
 export function missing(draft: ZoneDraft): string | null {
   return (
     missingOfShape(draft) ?? missingOfTerms(draft) ?? (draft.name.trim() === '' ? 'Give it a name.' : null)

@@ -5,7 +5,7 @@ import type { ZoneDraft } from './zone-draft';
 const CIRCLE_CORNERS = 72;
 const METERS_PER_DEGREE = 111_195;
 
-/** What is drawn of a zone. */
+/** The part of a zone that is drawn. */
 type Area = Pick<Zone, 'geometry'> & { properties: Pick<Zone['properties'], 'name' | 'kind' | 'radius'> };
 
 /** The zones as areas, circles too; across the date line in one piece. */
@@ -40,7 +40,7 @@ export function zoneDraftFeatures(draft: ZoneDraft | null): FeatureCollection {
   return { type: 'FeatureCollection', features };
 }
 
-/** Where the map has to look to show it. */
+/** The outline of a zone, for fitting the map. */
 export function outlineOf(zone: Area): Position[] {
   return zone.geometry.type === 'Point'
     ? circle(zone.geometry.coordinates, zone.properties.radius ?? 0)

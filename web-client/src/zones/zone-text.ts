@@ -6,7 +6,7 @@ export const BREACH_WORDS: Record<BreachAction, string> = {
   land: 'land',
 };
 
-/** What a zone means, in one line. */
+/** A zone in one line. */
 export function zoneText(zone: Zone, nameOf: (drone: string) => string | null): string {
   const { properties } = zone;
   const parts = [properties.kind === 'inclusion' ? 'stay in' : 'keep out', heights(zone)];
