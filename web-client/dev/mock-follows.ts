@@ -28,7 +28,7 @@ const REASONS: Record<PhoneReach, string> = {
   cut: 'The phone cannot be reached: it has no network.',
   gone: 'The phone’s page was closed, or has crashed.',
 };
-/** What is left out stays as it is. */
+/** The place after a change; members that are left out stay. */
 function placed(was: Follow['place'], change: PlaceChange): Follow['place'] {
   return {
     side: change.side ?? was.side,
@@ -48,7 +48,7 @@ const ACTIONS: Record<string, Partial<Record<FollowStage, FollowStage>>> = {
   stop: { starting: 'returning', tracking: 'returning', paused: 'returning', suspended: 'over' },
 };
 
-/** What the server lends. */
+/** The parts of the server that follows need. */
 export interface FollowPorts {
   drones: readonly MockDrone[];
   /** Who is signed in. */
@@ -221,7 +221,7 @@ export class MockFollows {
     } else if (next === 'paused') {
       drone.goal = { north: drone.north, east: drone.east, up: drone.up };
     }
-    return this.#to(follow, next, `${follow.owner} wished it: ${action}.`);
+    return this.#to(follow, next, `${follow.owner} requested it: ${action}.`);
   }
 
   #to(follow: Follow, state: FollowStage, words: string): Follow {
@@ -236,7 +236,7 @@ export class MockFollows {
     return follow;
   }
 
-  /** What changes all the time. */
+  /** Sends the part of a follow that changes all the time. */
   #publish(follow: Follow): void {
     if (this.#all.some(({ id }) => id === follow.id)) {
       this.#all = this.#all.map((one) => (one.id === follow.id ? follow : one));

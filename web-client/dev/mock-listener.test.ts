@@ -236,7 +236,7 @@ describe('the mock server plays the description of the stream', () => {
   const schemas = new Schemas(readStream());
   const asked = Object.entries(operations).filter(([, { action }]) => action === 'receive');
 
-  /** Told to all who are connected. */
+  /** Sent to all clients without a request. */
   const UNSOLICITED = ['drone', 'drones', 'ping', 'command', 'follow', 'followNow'];
 
   interface Received {

@@ -51,14 +51,14 @@ export function aDrone(change: Partial<Drone> = {}): Drone {
   };
 }
 
-/** What may be done now, unless there is something against it. */
+/** An action that is allowed, unless a reason is given. */
 export function anAction(why: string | null = null): Action {
   return why === null
     ? { allowed: true, why, mode: null }
     : { allowed: false, why, code: 'command-refused', mode: null };
 }
 
-/** What a vehicle holds that was not asked yet. */
+/** The mission of a vehicle that was not read yet. */
 export function aMission(change: Partial<VehicleMission> = {}): VehicleMission {
   return {
     items: null,

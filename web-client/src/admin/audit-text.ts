@@ -45,7 +45,7 @@ export function actionText(record: AuditRecord): string {
     : (SYSTEM_ACTIONS[record.operation] ?? record.operation.replace('/api/v1/', ''));
 }
 
-/** Everything else, without what is not known. */
+/** The remaining details, without those that are unknown. */
 export function detailText(record: AuditRecord, nameOf: (drone: string) => string): string {
   return [
     record.drone === null ? null : nameOf(record.drone),

@@ -2,7 +2,7 @@ import type { Endpoint } from '../api/endpoints';
 
 const COUNT = new Intl.NumberFormat('en-GB');
 
-/** What went through an endpoint, in one line; what is zero and would be bad news is left out. */
+/** The traffic of an endpoint in one line; counts of problems are left out while they are zero. */
 export function endpointText({ counts }: Endpoint): string {
   const dropped = counts.droppedIn + counts.droppedOut;
   const parts: [number, string][] = [

@@ -17,7 +17,7 @@ export type { Invitation, NewUser, OneTimePassword, Registered, Session, User, R
 
 export type Role = Session['role'];
 
-/** What making an invitation answers: the code is shown this once and never again. */
+/** A new invitation: its code is shown this once and never again. */
 export type NewInvitation = Invitation & { code: string };
 
 export type RegistrationPolicy = RegistrationOptions['policy'];
@@ -45,7 +45,7 @@ export function mayAct(role: Role | undefined, needed: Role): boolean {
   return role !== undefined && ROLES.indexOf(role) >= ROLES.indexOf(needed);
 }
 
-/** Where a browser goes to sign in with the provider. */
+/** The address to sign in with the provider. */
 export const PROVIDER_ADDRESS = '/api/v1/session/oidc';
 
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;

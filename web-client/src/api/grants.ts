@@ -14,7 +14,7 @@ import type {
 
 export type { Fleet, Gift, Grant, GrantRequest, Group, Organisation };
 
-/** Whom a grant is for: one of them is null. */
+/** The holder of a grant: one of them is null. */
 export type Subject = Pick<Grant, 'user' | 'group'>;
 
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;

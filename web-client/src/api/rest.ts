@@ -169,12 +169,12 @@ export class RestClient {
     return this.#call('GET', `/drones/${encodeURIComponent(drone)}/parameters`);
   }
 
-  /** Where the browser saves the parameters from: a list for Mission Planner and MAVProxy, a table for QGroundControl. */
+  /** The address to save the parameters from: a list for Mission Planner and MAVProxy, a table for QGroundControl. */
   parameterFileAddress(drone: string, form: 'list' | 'table'): string {
     return `${this.#base}/drones/${encodeURIComponent(drone)}/parameters/file?form=${form}`;
   }
 
-  /** What a file would change; nothing is sent to the vehicle. */
+  /** Compares a file with the vehicle; nothing is sent to it. */
   compareParameterFile(drone: string, file: Blob): Promise<ParameterFile> {
     return this.#call('POST', `/drones/${encodeURIComponent(drone)}/parameters/file?dryRun=true`, file);
   }
@@ -183,12 +183,12 @@ export class RestClient {
     return this.#call('GET', `/recordings?drone=${encodeURIComponent(drone)}`);
   }
 
-  /** Where the browser downloads a recording from. */
+  /** The address to download a recording from. */
   recordingAddress(id: string): string {
     return `${this.#base}/recordings/${encodeURIComponent(id)}/file`;
   }
 
-  /** Where the browser downloads from who sent what in it. */
+  /** The address to download the table of sent messages from. */
   sentAddress(id: string): string {
     return `${this.#base}/recordings/${encodeURIComponent(id)}/sent`;
   }
@@ -229,7 +229,7 @@ export class RestClient {
     return this.#call('GET', `/drones/${encodeURIComponent(droneId)}/sensed`);
   }
 
-  /** Where a browser finds the newest picture of that kind; another address for each one. */
+  /** The address of the newest picture of that kind; another one for each picture. */
   pictureAddress(droneId: string, kind: 'picture' | 'map', number: number): string {
     return `${this.#base}/drones/${encodeURIComponent(droneId)}/sensed/${kind}?number=${number}`;
   }

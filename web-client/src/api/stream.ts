@@ -58,7 +58,7 @@ export const DEAD_MILLISECONDS = 5_000;
 const LONGEST_DEAD_MILLISECONDS = 20_000;
 /** A timer that is so much late was held up by the page. */
 const LATE_MILLISECONDS = 1_000;
-/** So long a page that goes on has for what waits. */
+/** The time in which a resumed page reads what waits. */
 const READS_MILLISECONDS = 500;
 /** Tells the cloud that this page goes on: it only gives up a connection that seems dead. */
 export const CONNECTS_ANEW = 4000;

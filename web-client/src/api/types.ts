@@ -50,7 +50,7 @@ export type CommandResult = Outcome['result'];
 
 export type CommandKind = Command['type'];
 
-/** What a vehicle on a mission does by itself when it no longer hears the cloud. */
+/** The failsafe of a vehicle on a mission when it loses the cloud. */
 export type CloudLoss = NonNullable<StartMissionCommand['onCloudLoss']>;
 
 export type RelaySetting = SetRelayCommand['setting'];
@@ -65,7 +65,7 @@ export type Drone = Omit<DroneView, 'mission' | 'actions'> & {
   actions: Partial<Record<CommandKind | 'velocity' | 'forceDisarm', Action>>;
 };
 
-/** What a drone is asked for; the items of a mission as the page has them. */
+/** A command to a drone; the items of a mission as the page has them. */
 export type CommandRequest =
   Exclude<Request, { type: 'uploadMission' }> | { type: 'uploadMission'; items: PlannedItem[] };
 
@@ -87,7 +87,7 @@ export interface ProblemBody {
   commandId?: string;
 }
 
-/** What the page knows in a closer form than the description of the stream has it. */
+/** Types that are narrower on the page than in the description of the stream. */
 interface Closer {
   drone: Drone;
   drones: Drone[];

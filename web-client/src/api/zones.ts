@@ -54,7 +54,7 @@ export class ZoneCalls {
     return this.#call('POST', `/drones/${encodeURIComponent(drone)}/fence/refresh`);
   }
 
-  /** How many areas the vehicle keeps itself; null: it was not asked yet. */
+  /** The number of areas in the fence of the vehicle; null: it was not read yet. */
   async onBoard(drone: string): Promise<number | null> {
     const fence = await this.#call<FenceView>('GET', `/drones/${encodeURIComponent(drone)}/fence`);
     return fence.zones?.length ?? null;

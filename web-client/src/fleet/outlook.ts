@@ -19,7 +19,7 @@ export interface Notice {
 /** The place where a drone would be brought down. */
 export interface Landing {
   place: Coordinates;
-  /** From where it is; null: not known. */
+  /** From the position of the drone; null: unknown. */
   meters: number | null;
 }
 
@@ -49,7 +49,7 @@ export function landingText(drone: Drone): string | null {
   return meters > ELSEWHERE_METERS ? `${outlook.comesDown}, ${distance(meters)} away` : outlook.comesDown;
 }
 
-/** "until about 14:32 (11 min)"; null: not known. */
+/** "until about 14:32 (11 min)"; null: unknown. */
 export function batteryText({ emptyAt }: Outlook, now: number): string | null {
   if (emptyAt === null) {
     return null;

@@ -16,7 +16,7 @@ function portOf(endpoints: readonly Endpoint[], scheme: string): string | null {
   return open === undefined ? null : (/:(\d+)(?:[/?]|$)/.exec(open.url)?.[1] ?? null);
 }
 
-/** Where to send MAVLink, in words. */
+/** The ports to send MAVLink to, as text. */
 export function portsText({ udp, tcp }: VehiclePorts): string {
   const ports = [udp === null ? null : `UDP port ${udp}`, tcp === null ? null : `TCP port ${tcp}`];
   return ports.filter((port) => port !== null).join(' or ') || 'one of the links of this cloud';

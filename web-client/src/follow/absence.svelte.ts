@@ -1,7 +1,7 @@
 import type { Follow, PhoneReach } from '../api/follows';
 import { HOLDS_AFTER_SECONDS, WARN_AFTER_SECONDS } from './outage';
 
-/** blind: the phone was there, and did not know where it is; unanswered: it had a network, and heard nothing of the cloud. */
+/** blind: the phone was there, and did not know where it is; unanswered: it had a network, and received nothing from the cloud. */
 export type AbsenceReason = Exclude<PhoneReach, 'speaks'> | 'blind' | 'unanswered';
 
 /** The newest time during which the cloud had no positions of the phone. */
@@ -10,13 +10,13 @@ export interface Absence {
   seconds: number;
   /** Seconds that the drone stood still, if the cloud led it all the time. */
   waited: number;
-  /** When the cloud had heard the last position before it, by the cloud's clock. */
+  /** The time of the last position before it, by the cloud's clock. */
   from: number;
-  /** When the page heard that it was over, by the phone's clock. */
+  /** The time at which the page noticed its end, by the phone's clock. */
   until: number;
 }
 
-/** What explains more goes first: a phone that sleeps loses its network too. */
+/** The rank of each reason: a phone that sleeps loses its network too. */
 const RANKS: Record<AbsenceReason, number> = {
   blind: 0,
   vague: 0,
@@ -36,12 +36,12 @@ export class AbsenceWatch {
   #lastPosition: number | null = null;
   #known: AbsenceReason | null = null;
   #reported: AbsenceReason | null = null;
-  /** When a reason was last noticed, by the phone's clock. */
+  /** The time at which a reason was last noticed, by the phone's clock. */
   #noticed = 0;
   /** From when to when the newest absence was, by the cloud's clock. */
   #span = { from: -Infinity, to: -Infinity };
 
-  /** What the page itself knows to have happened since the cloud had its last position; `now` by the phone's clock. */
+  /** Notes a reason that the page itself knows, since the last position; `now` by the phone's clock. */
   suspect(why: AbsenceReason, now: number): void {
     this.#noticed = now;
     if (this.#known === null || RANKS[why] > RANKS[this.#known]) {

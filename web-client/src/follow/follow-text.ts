@@ -6,7 +6,7 @@ export interface StageText {
   /** A few words, large. */
   title: string;
   tone: 'green' | 'blue' | 'amber' | 'neutral';
-  /** What is so now. */
+  /** The state, as a sentence. */
   words: string;
 }
 
@@ -30,7 +30,7 @@ const STAGES: Record<FollowStage, (drone: string) => StageText> = {
   suspended: (drone) => ({
     title: 'Taken from you',
     tone: 'amber',
-    // Who took it may have left it: the follow says by whom it was taken, and whether nobody has it any more.
+    // The note of the follow names the holder, if there is still one.
     words: `${drone} does not follow you now. “Go on” takes it back.`,
   }),
   returning: (drone) => ({
@@ -131,7 +131,7 @@ const OFFERED: Record<FollowStage, readonly FollowAction[]> = {
   over: [],
 };
 
-/** Who comes in the place of one that flies home already can be called off. */
+/** While one drone returns already, its relief can be stopped. */
 export function offered(follow: Follow): readonly FollowAction[] {
   return follow.state === 'returning' && reliefOf(follow) !== null ? ['stop'] : OFFERED[follow.state];
 }
@@ -141,7 +141,7 @@ export function reliefOf(follow: Follow): FollowOther | null {
   return follow.others.find(({ comes }) => comes) ?? null;
 }
 
-/** What the other drones do, as sentences. */
+/** The other drones of the follow, as sentences. */
 export function otherDroneTexts(follow: Follow): string[] {
   return follow.others.map(({ droneName, comes, state }) => {
     if (comes) {
@@ -151,7 +151,7 @@ export function otherDroneTexts(follow: Follow): string[] {
   });
 }
 
-/** What the drone did while the phone was away, as far as the cloud says so: it may have been down itself. */
+/** The behaviour of the drone during an absence of the phone, as far as the cloud reports it; it may have been down itself. */
 export function absenceText({ told, since, state, note }: Follow, { from, waited }: Absence): string {
   const said = told.filter(({ at }) => Date.parse(at) > from).map(({ words }) => words);
   if (said.length === 0) {

@@ -18,7 +18,7 @@ export const LEAST_HEIGHT = 5;
 export const MOST_HEIGHT = 120;
 export const USUAL_TURN = 10;
 
-/** What tells a follow of the demo walk after the page was loaded again. */
+/** The name by which a follow of the demo walk is recognised after a reload. */
 export const DEMO_NAME = 'Demo walk';
 const DEMO_NORTH_METERS = 20;
 const KEY = 'dronemap.follow';
@@ -34,7 +34,7 @@ export function placeChange({ side, bearing, turn, distance, height }: FollowPla
   };
 }
 
-/** Those that might follow, as far as this page can tell; the cloud says more. */
+/** Drones that can follow, as far as this page knows; the cloud decides. */
 export function availableDrones(drones: readonly Drone[]): Drone[] {
   return drones.filter(
     (drone) =>

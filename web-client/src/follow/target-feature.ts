@@ -14,7 +14,7 @@ export interface Target {
   /** Metres. */
   accuracy: number;
   label: string;
-  /** How old the place is; empty: it is new. */
+  /** The age of the position; empty: it is new. */
   age: string;
   tone: 'green' | 'amber' | 'blue' | 'violet' | 'neutral';
 }
@@ -37,7 +37,7 @@ export function targetFeatures(target: Target, drone: Coordinates | null): Featu
     : [feature({ type: 'LineString', coordinates: line }, { tone }), ...features];
 }
 
-/** Whoever is followed, as the cloud last heard it; `droneAt`: where the drone of that id is shown. */
+/** The targets of all follows at their last positions; `droneAt`: the shown position of a drone. */
 export function followFeatures(
   follows: readonly Follow[],
   cloudNow: number,

@@ -96,7 +96,7 @@ function noFix({ now, locating, lastFix, leading, patience, cutOffSince }: Phone
     key: 'no-fix',
     tone: 'red',
     words: seconds === null ? 'The phone does not know where it is.' : `No position for ${span(seconds)}.`,
-    // Who is cut off is told of the drone there.
+    // The warning of the lost connection mentions the drone already.
     todo: `${leading && cutOffSince === null ? standsAndWaits(patience, seconds) : ''}Go where you see the sky, and keep location switched on.`,
   };
 }

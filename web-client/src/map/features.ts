@@ -58,7 +58,7 @@ function headingOf({ motion, attitude }: Drone): number | null {
   return motion?.heading ?? attitude?.yaw ?? null;
 }
 
-/** How old a silent drone's place is; a recording that was played to its end ages no more. */
+/** The age of a silent drone's position; a recording that was played to its end does not age. */
 function ageText({ link }: Drone, silence: number | null, cut: boolean): string {
   const old = link.state === 'suspect' || link.state === 'lost' || (cut && link.state === 'live');
   return old ? age(silence) : '';
@@ -127,7 +127,7 @@ export function draftFeatures(draft: Draft | null, drone: Drone | null, ordered 
   ]);
 }
 
-/** Where a drone in the air would be brought down, and the way there; nothing where that is where it is. */
+/** The place where a drone in the air would land, and the way there; nothing when it is below the drone. */
 export function landingFeatures(drone: Drone | null): FeatureCollection {
   const here = placeOf(drone);
   const there = landsElsewhere(drone);

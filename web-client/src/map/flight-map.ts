@@ -185,7 +185,7 @@ export class FlightMap {
   #click(event: MapMouseEvent): void {
     if (this.#waypointAt(event) === null) {
       const { lat: latitude, lng: longitude } = event.lngLat.wrap();
-      // Who is followed stands for the drone that follows.
+      // A click on a target selects the drone that follows it.
       const drone = this.#idAt(event, 'drones') ?? this.#idAt(event, 'follow-phones');
       this.#events.onClick({ latitude, longitude }, { drone, runWaypoint: this.#idAt(event, 'runs-points') });
     }

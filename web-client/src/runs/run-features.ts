@@ -34,10 +34,10 @@ export function runFeatures(
   return { type: 'FeatureCollection', features };
 }
 
-/** What the drones of the run keep to beside the zones that are drawn anyway. */
+/** The barriers of the run that are not drawn as zones already. */
 export function ownBarriers(run: MissionRun | null, zones: readonly Zone[]): Barrier[] {
   const drawn = new Set(zones.map(shapeOf));
-  // One that binds some drones is told once for each of them.
+  // A barrier that binds several drones is listed once for each of them.
   const others = new Map((run?.barriers ?? []).map((barrier) => [shapeOf(barrier), barrier]));
   return [...others].filter(([shape]) => !drawn.has(shape)).map(([, barrier]) => barrier);
 }

@@ -1,6 +1,6 @@
 export type ConnectionState = 'connecting' | 'up' | 'down';
 
-/** Whether what the page shows is true now, and since when it is not. Ages are of the wall clock, which goes on in sleep. */
+/** The state of the connection to the cloud. Ages are by the wall clock, which goes on in sleep. */
 export class Connection {
   state = $state<ConnectionState>('connecting');
   /** By `performance.now`. */
@@ -40,7 +40,7 @@ export class Connection {
     this.#retryNow = performance.now();
   }
 
-  /** What is shown may be old. */
+  /** The shown data may be old. */
   get stale(): boolean {
     return this.state !== 'up';
   }

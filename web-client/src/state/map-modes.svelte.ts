@@ -13,7 +13,7 @@ type Part = Pick<
 /** A use of the map in which a click means more than a look. */
 export interface MapMode {
   readonly name: string;
-  /** Who may not do this any more is not left in it. */
+  /** The role that it needs; without it the mode is ended. */
   readonly role: Role;
   isOn(station: Part): boolean;
   click(station: Part, place: Coordinates): void;

@@ -10,11 +10,11 @@ export class Planner {
   /** The altitude that the next waypoint gets, metres above home. */
   defaultAltitude = $state<number | null>(20);
   #drafts = $state.raw<ReadonlyMap<string, Draft>>(new Map());
-  /** What each vehicle shall do when the cloud falls silent on its mission; on to the end unless chosen. */
+  /** The failsafe of each vehicle for a lost cloud during its mission; it flies on unless chosen otherwise. */
   #cloudLoss = $state.raw<ReadonlyMap<string, CloudLoss>>(new Map());
   /** The drone whose plan was just uploaded, until its panel has shown what comes next. */
   uploaded = $state<string | null>(null);
-  /** What was sent to each vehicle, until its outcome is known. */
+  /** The draft that is being uploaded to each vehicle. */
   readonly #sent = new Map<string, Draft>();
   #undo = $state.raw<readonly { droneId: string; draft: Draft }[]>([]);
 

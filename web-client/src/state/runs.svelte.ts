@@ -2,13 +2,13 @@ import type { MissionRun, NewRunWaypoint, RunCalls, RunStart } from '../api/runs
 import { sentenceFor } from '../api/problem';
 import type { Coordinates } from '../geo/coordinates';
 
-/** What a click on the map means for the run that is looked at. */
+/** The effect of a click on the map on the shown run. */
 export type RunTool = 'add' | 'move';
 
-/** Mission runs, and what is being done about the one that is looked at. */
+/** The runs, and the changes being made to the shown one. */
 export class Runs {
   shownId = $state<string | null>(null);
-  /** The waypoint that is looked at. */
+  /** The id of the selected waypoint. */
   chosen = $state<string | null>(null);
   tool = $state<RunTool | null>(null);
   /** Places that were marked on the map and are not sent yet. */
@@ -171,7 +171,7 @@ export class Runs {
     await this.#act((id) => this.#calls.stop(id));
   }
 
-  /** What was marked stays when the run refuses it. */
+  /** Sends a change of the run; the marks are kept when it is refused. */
   async #act(call: (id: string) => Promise<MissionRun>): Promise<void> {
     const id = this.shownId;
     if (id !== null && !this.busy) {

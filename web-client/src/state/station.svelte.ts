@@ -56,7 +56,7 @@ export class Station {
   readonly follows = new Follows(this.rest.follows);
   /** undefined: not asked yet; null: nobody is signed in. */
   session = $state.raw<Session | null | undefined>(undefined);
-  /** Why nobody is signed in any more, when that was not their wish. */
+  /** The reason for which the session ended, unless the user signed out. */
   signedOut = $state.raw<string | null>(null);
   settings = $state.raw<Settings | null>(null);
   selected = $derived<Drone | null>(this.fleet.find(this.view.selectedId));
@@ -288,7 +288,7 @@ export function useStation(): Station {
   return getContext<Station>(STATION);
 }
 
-/** Others are told nothing of the server but who they are. */
+/** Others receive nothing but their own session. */
 function mayLook(session: Session): boolean {
   return !session.mustChangePassword && mayAct(session.role, 'viewer');
 }

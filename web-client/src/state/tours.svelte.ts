@@ -28,7 +28,7 @@ export class Tours {
   shownId = $state<string | null>(null);
   besideId = $state<string | null>(null);
   #plans = $state.raw<ReadonlyMap<string, FleetPlan>>(new Map());
-  /** Where the waypoints of a plan are, by their ids: while a search goes on only these are told. */
+  /** The places of the waypoints of a plan, by their ids: during the search only ids are sent. */
   #places = $state.raw<{ plan: string; places: ReadonlyMap<string, Coordinates> } | null>(null);
   readonly #calls: PlanCalls;
 
@@ -112,7 +112,7 @@ export class Tours {
         plan: plan.id,
         places: new Map(waypoints.map((waypoint) => [waypoint.id, waypoint])),
       };
-      // The stream may have told of later ones.
+      // The stream may have sent a later version.
       if (!this.#plans.has(plan.id)) {
         this.apply(plan);
       }

@@ -8,7 +8,7 @@ const LEAST_STEP_METERS = 1;
 const IMPLAUSIBLE_STEP_METERS = 500;
 /** Nothing flies that far between two reports: a simulator was moved or the GPS found itself. */
 const JUMP_METERS = 5_000;
-/** Silent for as long as makes a drone lost: where it flew meanwhile is not known. */
+/** Silent for as long as makes a drone lost: its way meanwhile is unknown. */
 const LONGEST_SILENCE_MILLISECONDS = 5_000;
 
 type LonLat = [number, number];
@@ -22,7 +22,7 @@ interface Track {
 
 /**
  * Where each drone has been since this page was opened: at most 600 points each, the oldest go first. A line is broken
- * where the way between two points is not known.
+ * where the way between two points is unknown.
  */
 export class Trails {
   readonly #tracks = new Map<string, Track>();

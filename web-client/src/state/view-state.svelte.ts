@@ -8,7 +8,7 @@ export interface Target extends Coordinates {
   droneId: string;
 }
 
-/** What the page shows: the selected drone, the open page, the target of a go-to, the help. */
+/** The state of the view: the selected drone, the open page, the target of a go-to, the help. */
 export class ViewState {
   page = $state<Page>('map');
   selectedId = $state<string | null>(null);

@@ -17,7 +17,7 @@ export class Virtuals {
     return this.all.find((drone) => drone.id === id) ?? null;
   }
 
-  /** What was there before the connection came up, and was removed while it was down, goes. */
+  /** Replaces all: some may have been removed while the connection was down. */
   async load(): Promise<void> {
     await this.#attempt(async () => {
       const [all, pool] = await Promise.all([this.#calls.all(), this.#calls.pool()]);

@@ -13,7 +13,7 @@ const sources = new Map(
 
 /** Nobody is signed in there, and no stream is open. */
 const WITHOUT_STREAM = ['session/', 'App.svelte'];
-/** What these hold is the page's own, whatever their methods are called. */
+/** Objects whose methods change the page alone, whatever they are called. */
 const OF_THE_PAGE = new Set(['planner', 'view', 'preferences', 'input', 'hold']);
 const CHANGES = /'(POST|PUT|PATCH|DELETE)'/;
 /** Calls that look, though they send something, and what works on the page's own state under a name that also changes. */
@@ -52,7 +52,7 @@ function changing(): Set<string> {
   return known;
 }
 
-/** What a press on that tag does: its handler, with the functions of the component that it names. */
+/** The handler of a tag, with the functions of the component that it calls. */
 function handlerOf(tag: string, source: string): string {
   const handler = /on(?:click|submit)=\{([\s\S]*)/.exec(tag)?.[1] ?? '';
   const named = [...source.matchAll(/\n {2}(?:async )?function ([a-zA-Z]+)\([\s\S]*?\n {2}\}/g)]

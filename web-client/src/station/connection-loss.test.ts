@@ -22,7 +22,7 @@ vi.mock('../map/flight-map', () => ({
   },
 }));
 
-/** What commands the drone, or takes and gives control of it. */
+/** Buttons that command the drone, or change control of it. */
 const COMMANDS = /^(Arm|Disarm|Take off|Hold|Return to launch|Land|Take control|Keep control)/;
 
 function aStation(): Station {

@@ -24,7 +24,7 @@ export const NO_REQUIREMENTS: Requirements = {
   sensors: null,
 };
 
-/** How much a waypoint weighs beside others when not all can be visited. */
+/** The weight of a waypoint when not all can be visited. */
 export const PRIORITIES: [number | null, string][] = [
   [0.1, 'low'],
   [null, 'usual'],

@@ -18,7 +18,7 @@ export function zoneFeatures(zones: readonly Area[]): FeatureCollection {
   };
 }
 
-/** What is being drawn: its points, and its edge as far as there is one. */
+/** The zone that is being drawn: its points, and its edge as far as there is one. */
 export function zoneDraftFeatures(draft: ZoneDraft | null): FeatureCollection {
   const features: Feature[] = [];
   if (draft !== null) {
