@@ -1,4 +1,4 @@
-import type { Outlook, WithoutCloud } from './api/control';
+import type { Outlook, CloudLossState } from './api/control';
 import type { Follow, FollowNow, PhoneReach } from './api/follows';
 import type { MissionRun, RunDrone, RunWaypoint } from './api/runs';
 import type { Action, Command, Drone, VehicleMission } from './api/types';
@@ -74,7 +74,7 @@ export function aMission(change: Partial<VehicleMission> = {}): VehicleMission {
 }
 
 /** Set to come home when it does not hear the cloud. */
-export function aCloudLoss(change: Partial<WithoutCloud> = {}): WithoutCloud {
+export function aCloudLoss(change: Partial<CloudLossState> = {}): CloudLossState {
   return {
     state: 'set',
     action: 'it returns home',

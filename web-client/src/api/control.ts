@@ -4,7 +4,7 @@ export type { Control };
 export type {
   ControlAskedView as ControlRequest,
   OutlookView as Outlook,
-  DroneCloudLossView as WithoutCloud,
+  DroneCloudLossView as CloudLossState,
 } from './contract';
 
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;

@@ -5,7 +5,7 @@
 
 import type { PlannedItem, WithItems } from './items';
 import type { MissionRun } from './runs';
-import type { StreamMessage as Said } from './stream-contract';
+import type { StreamMessage as ServerMessage } from './stream-contract';
 import type { VirtualDrone } from './virtual';
 import type { Zone } from './zones';
 import type {
@@ -88,7 +88,7 @@ export interface ProblemBody {
 }
 
 /** Types that are narrower on the page than in the description of the stream. */
-interface Closer {
+interface NarrowedMembers {
   drone: Drone;
   drones: Drone[];
   zone: Zone;
@@ -97,10 +97,16 @@ interface Closer {
   problem: ProblemBody;
 }
 
-type Read<M> = M extends unknown
-  ? { [N in keyof M]: N extends keyof Closer ? (M[N] extends string ? M[N] : Closer[N]) : M[N] }
+type Narrowed<M> = M extends unknown
+  ? {
+      [N in keyof M]: N extends keyof NarrowedMembers
+        ? M[N] extends string
+          ? M[N]
+          : NarrowedMembers[N]
+        : M[N];
+    }
   : never;
 
-export type StreamMessage = Read<Said>;
+export type StreamMessage = Narrowed<ServerMessage>;
 
 export type { StreamRequest } from './stream-contract';

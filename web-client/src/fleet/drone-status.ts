@@ -90,11 +90,11 @@ export function batteryTone(percent: number | null | undefined): Tone {
 
 /** True when the words the person typed all occur in what identifies the drone. */
 export function matches(drone: Drone, query: string): boolean {
-  const hay = [drone.name, addressOf(drone), kindName(drone.kind), drone.vehicle, drone.mode, drone.place]
+  const text = [drone.name, addressOf(drone), kindName(drone.kind), drone.vehicle, drone.mode, drone.place]
     .join(' ')
     .toLowerCase();
   return query
     .toLowerCase()
     .split(/\s+/)
-    .every((word) => hay.includes(word));
+    .every((word) => text.includes(word));
 }

@@ -73,7 +73,7 @@ export function countdownOf(drone: Drone, now: number | null): Notice | null {
   if (outlook.returnsAt === null || now === null) {
     return null;
   }
-  return { words: `${broughtWhere(outlook)} ${inSeconds(secondsTo(outlook.returnsAt, now))}`, tone: 'amber' };
+  return { words: `${returnText(outlook)} ${inSeconds(secondsTo(outlook.returnsAt, now))}`, tone: 'amber' };
 }
 
 /** The same for the ear: it changes every ten seconds. */
@@ -88,8 +88,8 @@ export function spokenCountdown(drone: Drone, now: number | null): string {
   }
   const seconds = Math.ceil(secondsTo(outlook.returnsAt, now) / SPOKEN_SECONDS) * SPOKEN_SECONDS;
   return seconds === 0
-    ? `${broughtWhere(outlook)} now.`
-    : `${broughtWhere(outlook)} within ${span(seconds)} unless somebody takes control.`;
+    ? `${returnText(outlook)} now.`
+    : `${returnText(outlook)} within ${span(seconds)} unless somebody takes control.`;
 }
 
 /** The notice in the list of drones; null: somebody has control. */
@@ -102,17 +102,17 @@ export function noticeOf(drone: Drone, now: number | null): Notice | null {
   if (!outlook?.returnsAt) {
     return null;
   }
-  const where = goesHome(outlook) ? 'home' : 'down';
+  const where = returnsHome(outlook) ? 'home' : 'down';
   const when = now === null ? '' : ` ${inSeconds(secondsTo(outlook.returnsAt, now))}`;
   return { words: `Nobody’s · ${where}${when}`, tone: 'amber' };
 }
 
-function broughtWhere(outlook: Outlook): string {
-  return goesHome(outlook) ? 'Brought home' : 'Brought down';
+function returnText(outlook: Outlook): string {
+  return returnsHome(outlook) ? 'Brought home' : 'Brought down';
 }
 
 /** Also one that would circle there: it comes down nowhere. */
-function goesHome({ comesDown }: Outlook): boolean {
+function returnsHome({ comesDown }: Outlook): boolean {
   return comesDown === 'home' || comesDown === null;
 }
 

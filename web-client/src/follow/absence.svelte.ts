@@ -63,10 +63,10 @@ export class AbsenceWatch {
     if (phone === null) {
       return;
     }
-    const heard = Date.parse(phone.heard);
-    if (this.#lastPosition === null || heard > this.#lastPosition) {
-      this.#compare(follow, heard, now);
-      this.#lastPosition = heard;
+    const receivedAt = Date.parse(phone.heard);
+    if (this.#lastPosition === null || receivedAt > this.#lastPosition) {
+      this.#compare(follow, receivedAt, now);
+      this.#lastPosition = receivedAt;
     }
   }
 
@@ -77,13 +77,13 @@ export class AbsenceWatch {
     this.last = null;
   }
 
-  #compare(follow: Follow, heard: number, now: number): void {
+  #compare(follow: Follow, receivedAt: number, now: number): void {
     // A drone that follows only since then has not waited before.
-    const from = Math.max(this.#lastPosition ?? heard, Date.parse(follow.since));
-    const seconds = Math.round((heard - from) / 1000);
+    const from = Math.max(this.#lastPosition ?? receivedAt, Date.parse(follow.since));
+    const seconds = Math.round((receivedAt - from) / 1000);
     const over = follow.state === 'tracking' && seconds >= WARN_AFTER_SECONDS;
     if (over) {
-      this.#record(from, heard, now);
+      this.#record(from, receivedAt, now);
     }
     // A page that wakes up first reads what was said before it slept.
     if (over || now - this.#noticed > WARN_AFTER_SECONDS * 1000) {

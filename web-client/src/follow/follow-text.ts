@@ -153,12 +153,12 @@ export function otherDroneTexts(follow: Follow): string[] {
 
 /** The behaviour of the drone during an absence of the phone, as far as the cloud reports it; it may have been down itself. */
 export function absenceText({ told, since, state, note }: Follow, { from, waited }: Absence): string {
-  const said = told.filter(({ at }) => Date.parse(at) > from).map(({ words }) => words);
-  if (said.length === 0) {
+  const texts = told.filter(({ at }) => Date.parse(at) > from).map(({ words }) => words);
+  if (texts.length === 0) {
     return '';
   }
   if (Date.parse(since) > from) {
-    return said.slice(-2).join(' ');
+    return texts.slice(-2).join(' ');
   }
   const again = state === 'tracking' && note === null ? ' Now it follows you again.' : '';
   return `The drone stood and waited for ${span(waited)}.${again}`;

@@ -21,9 +21,9 @@ describe('what a drone does while its phone is silent', () => {
       homeIn: null,
     });
     const others: FollowStage[] = ['allocated', 'starting', 'paused', 'suspended', 'returning', 'over'];
-    const said = others.map((state) => outageState(aFollow({ state }), 12));
-    expect(new Set(said.map(({ words }) => words)).size).toBe(others.length);
-    expect(said.filter(({ homeIn }) => homeIn !== null)).toEqual([]);
+    const texts = others.map((state) => outageState(aFollow({ state }), 12));
+    expect(new Set(texts.map(({ words }) => words)).size).toBe(others.length);
+    expect(texts.filter(({ homeIn }) => homeIn !== null)).toEqual([]);
   });
 
   it('stands in a line, and counts down only where the cloud leads it', () => {

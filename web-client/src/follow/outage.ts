@@ -68,11 +68,11 @@ function withoutCountdown(words: string): OutageState {
 
 /** By the cloud's clock: for how long a drone that shall follow has had no position; null: it has, or nobody knows. */
 export function silentSeconds({ state, since, now }: Follow, cloudNow: number): number | null {
-  const heard = now?.phone?.heard;
-  if (state !== 'tracking' || heard === undefined) {
+  const receivedAt = now?.phone?.heard;
+  if (state !== 'tracking' || receivedAt === undefined) {
     return null;
   }
-  const from = Math.max(Date.parse(heard), Date.parse(since));
+  const from = Math.max(Date.parse(receivedAt), Date.parse(since));
   const seconds = Math.floor((cloudNow - from) / 1000);
   const unreached = now?.reach !== null && now?.reach !== 'speaks';
   return seconds >= WARN_AFTER_SECONDS || (unreached && seconds >= HOLDS_AFTER_SECONDS) ? seconds : null;

@@ -58,19 +58,19 @@ describe('warnings', () => {
   });
 
   it('tell since when it is cut off', () => {
-    const said = words({ cutOffSince: NOW - 31_000 });
-    expect(said).toContain('31 s ago');
-    expect(said).toContain('goes on by itself when the network is back');
+    const shown = words({ cutOffSince: NOW - 31_000 });
+    expect(shown).toContain('31 s ago');
+    expect(shown).toContain('goes on by itself when the network is back');
     expect(words({ cutOffSince: NOW, online: true })).toContain('when the cloud answers');
   });
 
   it('tell what had kept the phone away and what the drone did, for a while', () => {
     const absence = { seconds: 34, waited: 32, from: NOW - 35_000, until: NOW - 1000 };
     const meantime = 'The drone stood and waited for 32 s.';
-    const said = (['asleep', 'cut', 'unanswered', 'gone', 'blind', 'vague'] as const).map((why) =>
+    const shown = (['asleep', 'cut', 'unanswered', 'gone', 'blind', 'vague'] as const).map((why) =>
       words({ absence: { ...absence, why }, meantime }),
     );
-    expect(said.map((one) => one.slice(0, one.indexOf(' 34 s')))).toEqual([
+    expect(shown.map((one) => one.slice(0, one.indexOf(' 34 s')))).toEqual([
       'This page was stopped for',
       'There was no network for',
       'The cloud did not answer for',
@@ -78,9 +78,9 @@ describe('warnings', () => {
       'The phone did not know where it is for',
       'The phone knew its place to no better than 50 m for',
     ]);
-    said.forEach((one) => expect(one).toContain(meantime));
+    shown.forEach((one) => expect(one).toContain(meantime));
     // After the drone was spoken of, "it" would be the drone.
-    said.forEach((one) => expect(one).not.toContain('Keep it'));
+    shown.forEach((one) => expect(one).not.toContain('Keep it'));
     const long = { ...absence, why: 'cut' as const };
     expect(keys({ absence: { ...long, until: NOW - 40_000 } })).toEqual([]);
     expect(keys({ absence: long, leading: false })).toEqual([]);

@@ -38,8 +38,8 @@ describe('controls', () => {
   });
 
   it('show how far an upload is', () => {
-    const said = attemptText(attempt({ phase: 'accepted', progress: { done: 2, total: 5 } }));
-    expect(said).toEqual({ tone: 'busy', words: 'Accepted 2 of 5, under way…' });
+    const text = attemptText(attempt({ phase: 'accepted', progress: { done: 2, total: 5 } }));
+    expect(text).toEqual({ tone: 'busy', words: 'Accepted 2 of 5, under way…' });
   });
 
   it('say that a flight has begun, not that it has ended', () => {

@@ -2,7 +2,7 @@ import { flushSync } from 'svelte';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { aDrone, aMission, aRun, aRunWaypoint, aZone } from '../testing';
 import { draftOf, newZone } from '../zones/zone-draft';
-import { keepMapModes, MAP_MODES, mapMode } from './map-modes.svelte';
+import { endMapModes, MAP_MODES, mapMode } from './map-modes.svelte';
 import { Station } from './station.svelte';
 import { FLEET_DRAFT } from './tours.svelte';
 
@@ -27,7 +27,7 @@ beforeEach(() => {
   station = new Station();
   station.session = { name: 'ann', role: 'administrator', mustChangePassword: false, organisation: null };
   station.fleet.replaceAll([aDrone(), aDrone({ id: 'd2', name: 'Copter 2' })]);
-  leave = $effect.root(() => keepMapModes(station));
+  leave = $effect.root(() => endMapModes(station));
   flushSync();
 });
 afterEach(() => leave());

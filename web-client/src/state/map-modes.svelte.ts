@@ -63,7 +63,7 @@ function whenever(condition: () => boolean, begun: () => void): void {
 }
 
 /** Ends each use of the map when what it was for is over. For the time of a component. */
-export function keepMapModes(station: Part): void {
+export function endMapModes(station: Part): void {
   const { view, planner, runs, tours, virtuals, zones } = station;
   const endAll = (): void => MAP_MODES.forEach((mode) => mode.end(station));
 

@@ -57,12 +57,12 @@ function stepBack(station: Station): boolean {
   } else if (view.selectedId !== null) {
     view.deselect();
   } else {
-    return leavesRun(station);
+    return closesRun(station);
   }
   return true;
 }
 
-function leavesRun({ runs }: Station): boolean {
+function closesRun({ runs }: Station): boolean {
   if (runs.shown === null) {
     return false;
   }
