@@ -57,7 +57,7 @@ def test_a_drone_is_given_away_and_taken_back(
     assert copter["id"] not in [drone["id"] for drone in api.drones()]
     picture(page, f"gifts-2-{viewport['width']}")
 
-    hands.hold(page, given.get_by_role("button", name="Take back"))
+    hands.hold(page, given.get_by_role("button", name="Reclaim"))
     expect(given).to_have_count(0, timeout=PATIENCE)
     assert copter["id"] in [drone["id"] for drone in api.drones()]
     page.context.close()

@@ -106,7 +106,7 @@ class Trial:
         """The cloud says so, and the station."""
         wait_for(f"told: {words}", lambda: (self.seen()["note"] or "").startswith(words), seconds)
         assert self.seen()["now"]["reach"] == {SLEEPS: "asleep", CUT_OFF: "cut", CLOSED: "gone"}[words]
-        shelf = self.station.get_by_role("region", name="Phones that are followed")
+        shelf = self.station.get_by_role("region", name="Follow me")
         expect(shelf).to_contain_text(words)
         expect(shelf).to_contain_text("stands still and waits for")
         expect(shelf).to_contain_text(re.compile(r"Silent for \d+ s; flies home in \d+ s"))
@@ -147,7 +147,7 @@ def trial(server: Server, api: Api, tap: Tap, drone: Json, browser: Browser) -> 
     page = phone(browser, beside(drone["home"], Walker.east, Walker.north))
     desk = open_page(browser, dark=True)
     Station(desk, Pointer()).sign_in(server.address, *a_person(api), secrets.token_hex(10))
-    desk.get_by_role("button", name=re.compile("^Phones that are followed")).click()
+    desk.get_by_role("button", name=re.compile("^Follow me")).click()
     made = Trial(api, tap, drone, Walker(page, drone["home"]), desk)
     sign_in(page, f"http://localhost:{server.http_port}/follow", api)
     page.get_by_role("button", name="Change that").tap()
@@ -190,7 +190,7 @@ def is_cut_off(trial: Trial, network: Network) -> None:
     expect(page.get_by_role("heading", name="The cloud does not answer")).to_be_visible()
     expect(page.get_by_text("stands still in the air and waits")).to_be_visible()
     expect(page.get_by_text(re.compile(r"It flies home in \d+ s"))).to_be_visible()
-    expect(page.get_by_text("As last heard")).to_be_visible()
+    expect(page.get_by_text("Last known")).to_be_visible()
     picture(page, "away-cut")
     picture(trial.station, "away-cut-station")
     for _ in rounds(began + CUT, 1):

@@ -7,7 +7,7 @@ export const OUTCOME_WORDS: Record<AuditOutcome, string> = {
   failed: 'failed',
   timedOut: 'timed out',
   superseded: 'superseded',
-  unknown: 'not known',
+  unknown: 'unknown',
 };
 
 const INTERFACES: Record<string, string> = {

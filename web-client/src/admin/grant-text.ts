@@ -17,7 +17,7 @@ export const LENGTHS: readonly { label: string; hours: number | null }[] = [
   { label: 'a day', hours: 24 },
   { label: '7 days', hours: 168 },
   { label: '30 days', hours: 720 },
-  { label: 'until taken back', hours: null },
+  { label: 'until revoked', hours: null },
 ];
 
 /** Somebody with grants, or bound to see only those. */

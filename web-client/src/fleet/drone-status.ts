@@ -17,7 +17,7 @@ export function statusOf(drone: Drone): DroneStatus {
     return { word: 'Lost', tone: drone.armed && !drone.replay ? 'red' : 'neutral' };
   }
   if (drone.link.state === 'suspect') {
-    return { word: 'No word', tone: 'amber' };
+    return { word: 'Silent', tone: 'amber' };
   }
   switch (drone.flight) {
     case 'takingOff':
@@ -59,7 +59,7 @@ export function kindName(kind: DroneKind): string {
 
 export function armedText(drone: Drone): string {
   if (drone.armed === null) {
-    return 'Armed or not: unknown';
+    return 'Arming state unknown';
   }
   return drone.armed ? 'Armed' : 'Disarmed';
 }
@@ -73,7 +73,7 @@ const LINK_WORDS: Record<LinkState, string> = {
 
 /** `cut`: this page has no line to the cloud, and does not know how the cloud's link to the drone stands. */
 export function linkStateText(state: LinkState, cut = false): string {
-  return cut && state !== 'ended' ? 'No line' : LINK_WORDS[state];
+  return cut && state !== 'ended' ? 'Offline' : LINK_WORDS[state];
 }
 
 /** The session key of a vehicle as people write it: address, port and system id. */

@@ -21,7 +21,7 @@ describe('what becomes of a drone', () => {
     expect(countdownOf(flying({ comesDown: 'where it is' }), NOON)?.words).toBe('Brought down in 12 s');
     const circles = flying({ comesDown: null, latitude: null, longitude: null });
     expect(countdownOf(circles, NOON)?.words).toBe('Brought home in 12 s');
-    expect(noticeOf(circles, null)?.words).toBe('Nobody’s · home');
+    expect(noticeOf(circles, null)?.words).toBe('No control · home');
     expect(landingText(circles)).toBeNull();
   });
 
@@ -29,7 +29,7 @@ describe('what becomes of a drone', () => {
     expect(countdownOf(flying({ returnsAt: null }), NOON)).toBeNull();
     expect(countdownOf(aDrone(), NOON)).toBeNull();
     expect(countdownOf(flying(), null)).toBeNull();
-    expect(noticeOf(flying(), null)?.words).toBe('Nobody’s · home');
+    expect(noticeOf(flying(), null)?.words).toBe('No control · home');
   });
 
   it('speaks every ten seconds', () => {
@@ -52,9 +52,9 @@ describe('what becomes of a drone', () => {
       longitude: null,
       returnsAt: null,
     });
-    expect(countdownOf(helpless, NOON)).toEqual({ words: 'No safe way down is known', tone: 'red' });
-    expect(noticeOf(helpless, null)?.words).toBe('Nobody’s · no safe way down');
-    expect(spokenCountdown(helpless, NOON)).toBe('No safe way down is known: take control of it.');
+    expect(countdownOf(helpless, NOON)).toEqual({ words: 'No safe landing place known', tone: 'red' });
+    expect(noticeOf(helpless, null)?.words).toBe('No control · no safe landing');
+    expect(spokenCountdown(helpless, NOON)).toBe('No safe landing place known: take control of it.');
     expect(landingText(helpless)).toBeNull();
   });
 
@@ -88,7 +88,7 @@ describe('what becomes of a drone', () => {
     station.clock.now = NOON;
     const props = { drone: flying(), selected: false, onselect: () => undefined };
     const { rerender } = render(FleetRow, { props, context: new Map([[STATION, station]]) });
-    expect(screen.getByText('Nobody’s · home in 12 s').className).toContain('amber');
+    expect(screen.getByText('No control · home in 12 s').className).toContain('amber');
     expect(screen.queryByText(/Multicopter/)).toBeNull();
 
     await rerender({ drone: flying({ returnsAt: null }) });

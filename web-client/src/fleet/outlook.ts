@@ -68,7 +68,7 @@ export function countdownOf(drone: Drone, now: number | null): Notice | null {
     return null;
   }
   if (outlook.state === 'helpless') {
-    return { words: 'No safe way down is known', tone: 'red' };
+    return { words: 'No safe landing place known', tone: 'red' };
   }
   if (outlook.returnsAt === null || now === null) {
     return null;
@@ -97,14 +97,14 @@ export function noticeOf(drone: Drone, now: number | null): Notice | null {
   const { outlook } = drone;
   const counted = countdownOf(drone, now);
   if (counted?.tone === 'red') {
-    return { ...counted, words: 'Nobody’s · no safe way down' };
+    return { ...counted, words: 'No control · no safe landing' };
   }
   if (!outlook?.returnsAt) {
     return null;
   }
   const where = returnsHome(outlook) ? 'home' : 'down';
   const when = now === null ? '' : ` ${inSeconds(secondsTo(outlook.returnsAt, now))}`;
-  return { words: `Nobody’s · ${where}${when}`, tone: 'amber' };
+  return { words: `No control · ${where}${when}`, tone: 'amber' };
 }
 
 function returnText(outlook: Outlook): string {

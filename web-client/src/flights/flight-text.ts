@@ -11,7 +11,7 @@ export function timeText(flight: Flight): string {
 
 /** The users, distance, height and charge of a flight. */
 export function summaryText(flight: Flight): string {
-  const who = flight.users.length === 0 ? 'by hand' : flight.users.join(', ');
+  const who = flight.users.length === 0 ? 'manual' : flight.users.join(', ');
   return [
     who,
     distance(flight.distance),
@@ -34,7 +34,7 @@ export function facts(flight: Flight): [string, string][] {
         ? UNKNOWN
         : `${flight.battery.first} → ${flight.battery.last} % (${flight.battery.used} % used)`,
     ],
-    ['Commanded by', flight.users.length === 0 ? 'nobody here' : flight.users.join(', ')],
+    ['Commanded by', flight.users.length === 0 ? 'nobody' : flight.users.join(', ')],
     ['Conducted by', flight.operation ?? UNKNOWN],
   ];
 }

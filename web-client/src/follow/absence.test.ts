@@ -179,7 +179,7 @@ describe('the station', () => {
   it('tells that a phone is silent, why, for how long, and what the drone will do', async () => {
     show(following(10, 'cut', 'The phone cannot be reached: it has no network.'), 22);
     expect(text()).toContain('1 silent of 1');
-    await fireEvent.click(screen.getByRole('button', { name: /^Phones that are followed/ }));
+    await fireEvent.click(screen.getByRole('button', { name: /^Follow me/ }));
     expect(text()).toContain('Copter 1 stands still and waits for olga');
     expect(text()).toContain('Silent for 12 s; flies home in 48 s.');
     expect(text()).toContain('it has no network');
@@ -187,7 +187,7 @@ describe('the station', () => {
 
   it('tells nothing of the kind while positions come', async () => {
     show(following(10, 'speaks'), 11);
-    await fireEvent.click(screen.getByRole('button', { name: /^Phones that are followed/ }));
+    await fireEvent.click(screen.getByRole('button', { name: /^Follow me/ }));
     expect(text()).toContain('Copter 1 follows olga');
     expect(text()).not.toContain('ilent');
   });

@@ -68,9 +68,9 @@ describe('the stages of a follow', () => {
 
   it('do not say who has a drone that was taken: the follow does', () => {
     const taken = aFollow({ state: 'suspended', note: 'Nobody has Copter 1 any more.' });
-    expect(stageText(taken).title).toBe('Taken from you');
-    expect(stageText(taken).words).toContain('“Go on” takes it back.');
-    expect(followText(taken)).toBe('Copter 1 was taken and does not follow olga');
+    expect(stageText(taken).title).toBe('Control lost');
+    expect(stageText(taken).words).toContain('“Resume” takes control of it again.');
+    expect(followText(taken)).toBe('Copter 1 is under other control and does not follow olga');
     expect(outageState(taken, 10).words).toBe('Nobody has Copter 1 any more.');
     // The cloud leaves it to whoever has it.
     expect(actionText('stop', 'suspended').effect).toContain('keeps it; one that nobody has');

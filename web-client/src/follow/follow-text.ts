@@ -28,10 +28,10 @@ const STAGES: Record<FollowStage, (drone: string) => StageText> = {
     words: `${drone} stays where it is, in the air.`,
   }),
   suspended: (drone) => ({
-    title: 'Taken from you',
+    title: 'Control lost',
     tone: 'amber',
     // The note of the follow names the holder, if there is still one.
-    words: `${drone} does not follow you now. “Go on” takes it back.`,
+    words: `${drone} does not follow you now. “Resume” takes control of it again.`,
   }),
   returning: (drone) => ({
     title: 'Flying home',
@@ -87,7 +87,7 @@ export const ACTIONS: Record<FollowAction, ActionText> = {
     tone: 'primary',
     hold: false,
   },
-  continue: { label: 'Go on', effect: 'it comes to you again.', tone: 'primary', hold: true },
+  continue: { label: 'Resume', effect: 'it comes to you again.', tone: 'primary', hold: true },
   stop: {
     label: 'Stop and fly home',
     effect: 'it flies to where it took off and lands there, not beside you. That ends it.',
@@ -210,7 +210,7 @@ export function followText(follow: Follow, waits = false): string {
     starting: 'takes off for',
     tracking: isHeldUp(follow) ? 'is not following' : 'follows',
     paused: 'waits in the air for',
-    suspended: 'was taken and does not follow',
+    suspended: 'is under other control and does not follow',
     returning: 'flies home from',
     over: 'followed',
   };

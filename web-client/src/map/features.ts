@@ -135,10 +135,7 @@ export function landingFeatures(drone: Drone | null): FeatureCollection {
     return collect([]);
   }
   const end: Position = [there.longitude, there.latitude];
-  return collect([
-    line([[here.longitude, here.latitude], end], {}),
-    point(end, { label: 'comes down here' }),
-  ]);
+  return collect([line([[here.longitude, here.latitude], end], {}), point(end, { label: 'lands here' })]);
 }
 
 export function homeFeatures(drone: Drone | null): FeatureCollection {

@@ -44,7 +44,7 @@ describe('controls', () => {
 
   it('say that a flight has begun, not that it has ended', () => {
     const outcome = { result: 'succeeded', by: 'vehicle', reason: null, code: null } as const;
-    expect(attemptText(attempt({ type: 'returnToLaunch', outcome })).words).toBe('Done: it is under way');
+    expect(attemptText(attempt({ type: 'returnToLaunch', outcome })).words).toBe('Under way');
     expect(attemptText(attempt({ type: 'arm', outcome })).words).toBe('Done');
   });
 
@@ -89,7 +89,7 @@ describe('mission of the vehicle', () => {
     );
     expect(missionSummary({ ...mission, reached: [0, 1, 2] })).toBe('Mission complete: 3 items.');
     expect(missionSummary({ ...mission, items: [], total: 0 })).toBe('No mission on the vehicle.');
-    expect(missionSummary(null)).toContain('not known');
+    expect(missionSummary(null)).toContain('unknown');
   });
 
   it('believes the vehicle when it says that the mission is complete or paused', () => {

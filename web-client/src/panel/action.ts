@@ -48,7 +48,7 @@ export function attemptText(attempt: Attempt): AttemptText {
     return { tone: 'busy', words: progressText(attempt) };
   }
   if (attempt.outcome?.result === 'succeeded' && GOES_ON.has(attempt.type)) {
-    return { tone: 'good', words: 'Done: it is under way' };
+    return { tone: 'good', words: 'Under way' };
   }
   return outcomeText(attempt.outcome);
 }
@@ -67,7 +67,7 @@ function outcomeText(outcome: Outcome | null): AttemptText {
     case 'superseded':
       return { tone: 'bad', words: `Replaced by a later command.${reason}` };
     default:
-      return { tone: 'bad', words: `It is not known whether the vehicle did it.${reason}` };
+      return { tone: 'bad', words: `Unknown whether the vehicle did it.${reason}` };
   }
 }
 

@@ -99,7 +99,7 @@ describe('control line', () => {
 
     await rerender({ drone: aDrone({ control: nobody, outlook: null }) });
     expect(screen.queryByRole('timer')).toBeNull();
-    expect(screen.queryByRole('group', { name: 'What becomes of it' })).toBeNull();
+    expect(screen.queryByRole('group', { name: 'Outlook' })).toBeNull();
   });
 
   it('tells what happens when the holder is gone, and counts nothing', () => {
@@ -117,7 +117,7 @@ describe('control line', () => {
   it('promises no end of 30 s to whoever flies', () => {
     const mine = held({ holder: 'olga', explicit: false });
     show(station(), mine);
-    expect(screen.getByText('You have control until 30 s after your last command')).toBeDefined();
+    expect(screen.getByText('You have control · ends 30 s after your last command')).toBeDefined();
     cleanup();
 
     const drone = aDrone({ control: mine, outlook: anOutlook({ returnsAt: null }) });

@@ -25,7 +25,7 @@ export function missionRows(mission: VehicleMission | null): MissionRow[] {
 export function missionSummary(mission: VehicleMission | null): string {
   const total = mission?.items?.length ?? mission?.total ?? null;
   if (mission === null || total === null) {
-    return 'It is not known what mission the vehicle holds.';
+    return 'Mission unknown.';
   }
   return total === 0 ? 'No mission on the vehicle.' : summaryOf(mission, total);
 }

@@ -42,31 +42,31 @@ describe('putting a drone into the warehouse', () => {
       { ...ROOFS, flies: false, why: 'It has too little battery.', code: 'battery-too-low' },
       ROOFS,
     ]);
-    await fireEvent.click(screen.getByRole('button', { name: 'Put into the warehouse…' }));
+    await fireEvent.click(screen.getByRole('button', { name: 'Let the cloud fly this drone…' }));
     expect((await screen.findByText(/arms and takes off at once/)).parentElement?.textContent).toContain(
       '“Roofs” of olga (6 waypoints)',
     );
     expect(screen.getByText(/It has too little battery/)).toBeDefined();
     expect(station.rest.virtuals.offer).not.toHaveBeenCalled();
-    await hold(/Put into the warehouse: it takes off/);
+    await hold(/Let the cloud fly this drone: it takes off/);
     await waitFor(() => expect(station.rest.virtuals.offer).toHaveBeenCalledWith('d1'));
   });
 
   it('says that nothing waits', async () => {
     const station = show([]);
-    await fireEvent.click(screen.getByRole('button', { name: 'Put into the warehouse…' }));
-    expect(await screen.findByText(/Nothing waits that Copter 1 could fly/)).toBeDefined();
-    await hold(/^.*Put into the warehouse$/);
+    await fireEvent.click(screen.getByRole('button', { name: 'Let the cloud fly this drone…' }));
+    expect(await screen.findByText(/No mission waits that Copter 1 could fly/)).toBeDefined();
+    await hold(/^.*Let the cloud fly this drone$/);
     await waitFor(() => expect(station.rest.virtuals.offer).toHaveBeenCalled());
   });
 
   it('asks anew when something else would fly than what was shown', async () => {
     const station = show([]);
-    await fireEvent.click(screen.getByRole('button', { name: 'Put into the warehouse…' }));
-    await screen.findByText(/Nothing waits/);
+    await fireEvent.click(screen.getByRole('button', { name: 'Let the cloud fly this drone…' }));
+    await screen.findByText(/No mission waits/);
     vi.mocked(station.rest.virtuals.prospects).mockResolvedValue({ inWarehouse: false, waiting: [ROOFS] });
-    await hold(/^.*Put into the warehouse$/);
-    expect(await screen.findByText('What waits has changed meanwhile.')).toBeDefined();
+    await hold(/^.*Let the cloud fly this drone$/);
+    expect(await screen.findByText('The queue has changed meanwhile.')).toBeDefined();
     expect(station.rest.virtuals.offer).not.toHaveBeenCalled();
   });
 });

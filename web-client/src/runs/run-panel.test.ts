@@ -105,7 +105,13 @@ describe('the panel of a run', () => {
     expect(screen.getByText('A pilot took over.')).toBeDefined();
     expect(screen.getByText('Falcon has little battery left.')).toBeDefined();
     const buttons = screen.getAllByRole('button').map((one) => one.textContent.trim());
-    for (const never of ['End the run', 'Add waypoints', 'Change', 'Fly the new plan', 'Resume Falcon']) {
+    for (const never of [
+      'End (all return)',
+      'Add waypoints',
+      'Change',
+      'Fly the new plan',
+      'Resume Falcon',
+    ]) {
       expect(buttons).not.toContain(never);
     }
   });
@@ -131,7 +137,7 @@ describe('the panel of a run', () => {
     const station = panelFor('operator', aRun({}));
     station.runs.selectTool('add');
     await tick();
-    for (const name of ['Stop marking', 'Pause the run', 'End the run']) {
+    for (const name of ['Stop marking', 'Pause', 'End (all return)']) {
       expect(screen.getByRole('button', { name })).toBeDefined();
     }
   });

@@ -84,7 +84,7 @@ describe('a mission run in words', () => {
       'Photo: done. Photo 3 at 47.397700, 8.545600.',
     );
     expect(taskText({ ...photo, type: 'servo', result: 'notKnown', words: 'It was told to.' })).toBe(
-      'Servo: not known. It was told to.',
+      'Servo: unknown. It was told to.',
     );
     expect(taskText({ ...photo, type: 'readSensors', result: 'open', words: null })).toBe(
       'Read sensors: not yet.',
@@ -126,9 +126,9 @@ describe('a mission run in words', () => {
     expect(mayGiveUp(drone('d1'))).toBe(true);
     expect(isInTheAir(drone('d1', { stage: 'holding' }))).toBe(true);
     expect(isInTheAir(drone('d1', { stage: 'ready' }))).toBe(false);
-    expect(stageLook(drone('d1', { stage: 'suspended' })).words).toBe('in other hands');
+    expect(stageLook(drone('d1', { stage: 'suspended' })).words).toBe('under other control');
     expect(stageLook(drone('d1', { next: ['2'] })).words).toBe('flying');
-    expect(stageLook(drone('d1')).words).toBe('flying to its end');
+    expect(stageLook(drone('d1')).words).toBe('finishing');
   });
 
   it('lets drones join that are not in it and could be planned with', () => {
@@ -145,10 +145,8 @@ describe('a mission run in words', () => {
 
   it('gives the verdict on its journal', () => {
     const replay = { same: true, entries: 12, number: null, written: null, decided: null };
-    expect(replayText(replay)).toBe('Decided once more on all 12 entries: not a letter differs.');
-    expect(replayText({ ...replay, same: false, number: 7 })).toBe(
-      'Entry 7 would be decided otherwise today.',
-    );
+    expect(replayText(replay)).toBe('Replayed 12 entries: no difference.');
+    expect(replayText({ ...replay, same: false, number: 7 })).toBe('Entry 7 differs in the replay.');
   });
 });
 

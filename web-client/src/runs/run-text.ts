@@ -26,7 +26,7 @@ interface Look {
 export const WAYPOINT_LOOKS: Record<RunWaypointState, Look & { mark: string }> = {
   visited: { words: 'visited', tone: 'green', mark: '✓' },
   assigned: { words: 'to be visited', tone: 'violet', mark: '' },
-  waiting: { words: 'nobody’s yet', tone: 'amber', mark: '…' },
+  waiting: { words: 'unassigned', tone: 'amber', mark: '…' },
   reserved: { words: 'kept for a silent drone', tone: 'amber', mark: '?' },
   unserved: { words: 'left out', tone: 'red', mark: '✕' },
   cancelled: { words: 'cancelled', tone: 'neutral', mark: '–' },
@@ -43,7 +43,7 @@ const RESULTS: Record<RunTask['result'], string> = {
   open: 'not yet',
   underWay: 'under way',
   done: 'done',
-  notKnown: 'not known',
+  notKnown: 'unknown',
   notAvailable: 'not available',
 };
 
@@ -55,27 +55,27 @@ export function taskText(task: RunTask): string {
 
 const STAGES: Record<RunStage, Look> = {
   landed: { words: 'on the ground', tone: 'neutral' },
-  uploading: { words: 'gets its mission', tone: 'blue' },
+  uploading: { words: 'uploading mission', tone: 'blue' },
   ready: { words: 'ready, waits to leave', tone: 'blue' },
   arming: { words: 'arming', tone: 'blue' },
   starting: { words: 'taking off', tone: 'blue' },
   flying: { words: 'flying', tone: 'green' },
   holding: { words: 'waiting in the air', tone: 'amber' },
-  replacing: { words: 'gets a new mission', tone: 'blue' },
+  replacing: { words: 'changing mission', tone: 'blue' },
   continuing: { words: 'going on', tone: 'blue' },
-  resuming: { words: 'coming back to the run', tone: 'blue' },
+  resuming: { words: 'rejoining', tone: 'blue' },
   returning: { words: 'on its way home', tone: 'neutral' },
-  silent: { words: 'not heard', tone: 'amber' },
-  suspended: { words: 'in other hands', tone: 'amber' },
+  silent: { words: 'no contact', tone: 'amber' },
+  suspended: { words: 'under other control', tone: 'amber' },
   crashed: { words: 'crashed', tone: 'red' },
   gone: { words: 'lost', tone: 'red' },
-  left: { words: 'out of the run', tone: 'neutral' },
+  left: { words: 'left the run', tone: 'neutral' },
 };
 
 /** A stage that this page does not know yet is shown as it is called. */
 export function stageLook(drone: RunDrone): Look {
   if (drone.stage === 'flying' && drone.next.length === 0) {
-    return { words: 'flying to its end', tone: 'green' };
+    return { words: 'finishing', tone: 'green' };
   }
   return STAGES[drone.stage] ?? { words: drone.stage, tone: 'neutral' };
 }
@@ -83,12 +83,12 @@ export function stageLook(drone: RunDrone): Look {
 const TRIGGERS: Record<RunExplanation['trigger'], string> = {
   start: 'Started',
   takenOver: 'Taken over',
-  lost: 'Not heard',
-  heardAgain: 'Heard again',
+  lost: 'Contact lost',
+  heardAgain: 'Contact regained',
   gone: 'Lost',
   crashed: 'Crashed',
   lowBattery: 'Low battery',
-  wentHome: 'Went home by itself',
+  wentHome: 'Returned by itself',
   cameDown: 'Came down',
   removed: 'Removed',
   offPath: 'Off its path',
@@ -104,10 +104,10 @@ const TRIGGERS: Record<RunExplanation['trigger'], string> = {
   tooNear: 'Kept apart',
   betterPlan: 'Better plan',
   answered: 'Answered',
-  restarted: 'Server started anew',
+  restarted: 'Server restarted',
   paused: 'Paused',
   wentOn: 'Went on',
-  stopped: 'Ended by hand',
+  stopped: 'Ended by user',
   ended: 'Over',
 };
 
@@ -255,6 +255,6 @@ export function joinable(run: MissionRun, drones: readonly Drone[]): Drone[] {
 export function replayText(replay: Replay): string {
   const entries = counted(replay.entries, 'entry').replace('entrys', 'entries');
   return replay.same
-    ? `Decided once more on all ${entries}: not a letter differs.`
-    : `Entry ${replay.number ?? '?'} would be decided otherwise today.`;
+    ? `Replayed ${entries}: no difference.`
+    : `Entry ${replay.number ?? '?'} differs in the replay.`;
 }

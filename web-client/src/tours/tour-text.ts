@@ -39,9 +39,9 @@ export function whyNotPlanned(drone: Drone): string | null {
     return 'in the air';
   }
   if (drone.home === null || drone.position === null) {
-    return 'its place or home is not known';
+    return 'position or home unknown';
   }
-  return (drone.battery?.percent ?? null) === null ? 'its battery is not known' : null;
+  return (drone.battery?.percent ?? null) === null ? 'battery unknown' : null;
 }
 
 /** The gap to the best possible plan, rounded up. */

@@ -114,10 +114,10 @@ function missingOfShape(draft: ZoneDraft): string | null {
 
 function missingOfTerms(draft: ZoneDraft): string | null {
   if (draft.binds === 'drone' && draft.drone === null) {
-    return 'Choose the drone that it binds.';
+    return 'Select the drone that it applies to.';
   }
   if (draft.binds === 'user' && draft.user.trim() === '') {
-    return 'Name the user whom it binds.';
+    return 'Enter the user that it applies to.';
   }
   const over = draft.from !== '' && draft.until !== '' && draft.from >= draft.until;
   return over ? 'It must end after it begins.' : null;

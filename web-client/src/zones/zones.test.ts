@@ -39,8 +39,8 @@ describe('a zone that is drawn', () => {
 
   it('says whom it binds and when', () => {
     const named = { ...withPoint(newZone('circle'), HERE), name: 'Park' };
-    expect(missing({ ...named, binds: 'drone' })).toBe('Choose the drone that it binds.');
-    expect(missing({ ...named, binds: 'user', user: ' ' })).toBe('Name the user whom it binds.');
+    expect(missing({ ...named, binds: 'drone' })).toBe('Select the drone that it applies to.');
+    expect(missing({ ...named, binds: 'user', user: ' ' })).toBe('Enter the user that it applies to.');
     expect(missing({ ...named, from: '2026-05-04T12:00', until: '2026-05-04T11:00' })).toContain('end after');
     const timed = featureOf({ ...named, binds: 'user', user: ' bob ', from: '2026-05-04T12:00' }).properties;
     expect(timed).toMatchObject({ user: 'bob', drone: null, until: null });
