@@ -73,7 +73,7 @@ export function aMission(change: Partial<VehicleMission> = {}): VehicleMission {
   };
 }
 
-/** Set to come home when it does not hear the cloud. */
+/** Set to come home when it loses the cloud. */
 export function aCloudLoss(change: Partial<CloudLossState> = {}): CloudLossState {
   return {
     state: 'set',

@@ -27,12 +27,12 @@ const QUIET: Endpoint = {
   },
 };
 
-describe('the line of an endpoint', () => {
-  it('tells what went in and out, and no bad news where there is none', () => {
+describe('the text of an endpoint', () => {
+  it('shows what went in and out, and no bad news where there is none', () => {
     expect(endpointText(QUIET)).toBe('1 peer · 12,345 in · 67 out');
   });
 
-  it('tells what was lost on the way', () => {
+  it('shows what was lost on the way', () => {
     const counts = {
       ...QUIET.counts,
       peers: 2,

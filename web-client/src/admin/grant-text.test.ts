@@ -28,7 +28,7 @@ function user(name: string, onlyGranted = false): User {
 
 const CREW: Group = { id: 'c', name: 'Crew', members: ['ann'], onlyGranted: true };
 
-describe('the line of a grant', () => {
+describe('the text of a grant', () => {
   it('says what, with which drones and until when', () => {
     expect(grantText(grant(), [], (id) => id)).toBe('view, command · all drones');
     expect(grantText(grant({ drones: ['a', 'b'] }), [], (id) => `Copter ${id}`)).toBe(

@@ -45,7 +45,7 @@ describe('the bounds of a key', () => {
     );
   });
 
-  it('are told in a few words', () => {
+  it('are shown in a few words', () => {
     const none = { area: null, floor: null, ceiling: null, altitudeReference: null };
 
     expect(boundsText(none)).toBe('');

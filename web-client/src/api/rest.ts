@@ -31,7 +31,7 @@ import { ZoneCalls } from './zones';
 /** `epoch`: of the control that the page believes to have. */
 export type SentCommand = CommandRequest & { id: string; epoch?: number | null };
 
-/** A line that takes longer is none, and one that was cut leaves nobody waiting for it when it is back. */
+/** A connection that takes longer counts as lost, so that nobody waits for it when it is back. */
 const TICKET_MILLISECONDS = 4_000;
 
 type Fetch = (input: string, init?: RequestInit) => Promise<Response>;
@@ -246,7 +246,7 @@ export class RestClient {
     return this.#call('DELETE', `/robot-keys/${encodeURIComponent(id)}`);
   }
 
-  /** `longest`: milliseconds until it is given up, for what is asked again and again over a line that may be dead. */
+  /** `longest`: milliseconds until it is given up, for calls that are repeated over a connection that may be dead. */
   async #call<T>(method: string, path: string, body?: unknown, longest?: number): Promise<T> {
     const { response, text } = await this.#send(method, path, body, longest);
     if (!response.ok) {

@@ -142,7 +142,7 @@ describe('stream client', () => {
     expect(retryAt - timers.time).toBe(500);
   });
 
-  it('says within three seconds that a line fell silent, and keeps it', async () => {
+  it('reports within three seconds that the connection fell silent, and keeps it', async () => {
     last().push(PING);
     await timers.advance(QUIET_MILLISECONDS - 1);
     expect(events).not.toContain('DOWN');
@@ -161,7 +161,7 @@ describe('stream client', () => {
     expect(sockets).toHaveLength(1);
   });
 
-  it('takes a line for dead that stays silent', async () => {
+  it('gives up a connection that stays silent', async () => {
     last().push(PING);
     const silent = last();
     await timers.advance(DEAD_MILLISECONDS - 1);
@@ -173,7 +173,7 @@ describe('stream client', () => {
     expect(events.filter((what) => what === 'DOWN')).toHaveLength(1);
   });
 
-  it('has more patience each time with a line that begins and never gets to the end of the list', async () => {
+  it('waits longer each time for a connection that never gets to the end of the list', async () => {
     for (const patience of [1, 2, 4, 4].map((times) => times * DEAD_MILLISECONDS)) {
       const slow = last();
       slow.push({ type: 'hello', user: 'olga', role: 'operator' });

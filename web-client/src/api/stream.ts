@@ -60,7 +60,7 @@ const LONGEST_DEAD_MILLISECONDS = 20_000;
 const LATE_MILLISECONDS = 1_000;
 /** The time in which a resumed page reads what waits. */
 const READS_MILLISECONDS = 500;
-/** Tells the cloud that this page goes on: it only gives up a connection that seems dead. */
+/** The close code of a page that reconnects: it only gives up a connection that seems dead. */
 export const CONNECTS_ANEW = 4000;
 const FIRST_RETRY_MILLISECONDS = 500;
 const LONGEST_RETRY_MILLISECONDS = 3_000;

@@ -71,7 +71,7 @@ const LINK_WORDS: Record<LinkState, string> = {
   ended: 'Ended',
 };
 
-/** `cut`: this page has no line to the cloud, and does not know how the cloud's link to the drone stands. */
+/** `cut`: this page has no connection to the cloud, so that the state of the cloud's link to the drone is unknown. */
 export function linkStateText(state: LinkState, cut = false): string {
   return cut && state !== 'ended' ? 'Offline' : LINK_WORDS[state];
 }

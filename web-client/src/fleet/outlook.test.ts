@@ -25,7 +25,7 @@ describe('what becomes of a drone', () => {
     expect(landingText(circles)).toBeNull();
   });
 
-  it('counts nothing where somebody has it, on the ground, or without a line', () => {
+  it('counts nothing where somebody has it, on the ground, or without a connection', () => {
     expect(countdownOf(flying({ returnsAt: null }), NOON)).toBeNull();
     expect(countdownOf(aDrone(), NOON)).toBeNull();
     expect(countdownOf(flying(), null)).toBeNull();
@@ -65,7 +65,7 @@ describe('what becomes of a drone', () => {
     expect(landsElsewhere(flying(nowhere))).toBeNull();
   });
 
-  it('tells how far away it comes down, but not of a place where it is', () => {
+  it('shows how far away it comes down, but not of a place where it is', () => {
     expect(landingText(flying())).toBe('home, 500 m away');
     expect(landingText(flying({ latitude: 47.39771, comesDown: 'where it is' }))).toBe('where it is');
     expect(landingText(flying({ latitude: null, longitude: null }))).toBe('home');
@@ -74,7 +74,7 @@ describe('what becomes of a drone', () => {
     expect(landsElsewhere(flying({ latitude: 47.39771 }))).toBeNull();
   });
 
-  it('tells until when its battery lasts, in the time of day and in minutes', () => {
+  it('shows until when its battery lasts, in the time of day and in minutes', () => {
     const at = minuteOfDay('2026-01-01T12:32:00Z');
     expect(at).not.toMatch(/:\d\d:/);
     expect(batteryText(anOutlook(), NOON)).toBe(`until about ${at} (32 min)`);

@@ -17,7 +17,7 @@ describe('ports in for vehicles', () => {
     expect(portsText(ports)).toBe('UDP port 28450 or TCP port 28460');
   });
 
-  it('are told without ports where none is known', () => {
+  it('are shown without ports where none is known', () => {
     expect(portsText(vehiclePorts([]))).toBe('one of the links of this cloud');
     expect(portsText({ udp: '14550', tcp: null })).toBe('UDP port 14550');
   });

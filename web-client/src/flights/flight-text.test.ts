@@ -13,7 +13,7 @@ const COMMAND: FlightEvent = {
   reason: 'No GPS fix.',
 };
 
-test('tells who commanded and what became of it', () => {
+test('shows who commanded and what became of it', () => {
   expect(eventText(COMMAND)).toBe('arm by ann: refused, No GPS fix.');
 });
 

@@ -176,7 +176,7 @@ describe('the station', () => {
     render(FollowOverview, { context: new Map([[STATION, station]]) });
   }
 
-  it('tells that a phone is silent, why, for how long, and what the drone will do', async () => {
+  it('shows that a phone is silent, why, for how long, and what the drone will do', async () => {
     show(following(10, 'cut', 'The phone cannot be reached: it has no network.'), 22);
     expect(text()).toContain('1 silent of 1');
     await fireEvent.click(screen.getByRole('button', { name: /^Follow me/ }));
@@ -185,7 +185,7 @@ describe('the station', () => {
     expect(text()).toContain('it has no network');
   });
 
-  it('tells nothing of the kind while positions come', async () => {
+  it('shows nothing of the kind while positions come', async () => {
     show(following(10, 'speaks'), 11);
     await fireEvent.click(screen.getByRole('button', { name: /^Follow me/ }));
     expect(text()).toContain('Copter 1 follows olga');

@@ -84,7 +84,7 @@ describe('the stages of a follow', () => {
     expect(isIdle(null)).toBe(false);
   });
 
-  it('tell the station who is followed by which drone', () => {
+  it('show the station who is followed by which drone', () => {
     expect(followText(aFollow({ state: 'tracking' }))).toBe('Copter 1 follows olga');
     expect(new Set(STAGES.map((state) => followText(aFollow({ state })))).size).toBe(STAGES.length);
     expect(followText(aFollow({ state: 'tracking' }), true)).toBe('Copter 1 stands still and waits for olga');

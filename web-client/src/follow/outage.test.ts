@@ -26,14 +26,14 @@ describe('what a drone does while its phone is silent', () => {
     expect(texts.filter(({ homeIn }) => homeIn !== null)).toEqual([]);
   });
 
-  it('stands in a line, and counts down only where the cloud leads it', () => {
+  it('is one line, and counts down only where the cloud leads it', () => {
     const follow = aFollow({ state: 'tracking' });
     expect(cutOffSummary(follow, 12, false)).toBe('No network. Copter 1 flies home in 48 s.');
     expect(cutOffSummary(follow, 12, true)).toBe('The cloud does not answer.');
     expect(cutOffSummary(aFollow({ state: 'paused' }), 12, false)).toBe('No network.');
   });
 
-  it('is told to the station when it counts: not for a position that is a little late', () => {
+  it('is shown to the station when it counts: not for a position that is a little late', () => {
     expect(silentSeconds(tracking(10), ms(13))).toBeNull();
     expect(silentSeconds(tracking(10), ms(14))).toBe(4);
     expect(silentSeconds(tracking(10, 'gone'), ms(13))).toBe(3);
@@ -55,7 +55,7 @@ describe('a phone that is back', () => {
     return watch;
   };
 
-  it('hears what the cloud took it for, and how long the drone stood', () => {
+  it('knows the reason that the cloud reports, and how long the drone stood', () => {
     expect(away(10, 44, 'asleep').last).toEqual({
       why: 'asleep',
       seconds: 34,
@@ -90,7 +90,7 @@ describe('a phone that is back', () => {
     expect(watch.last?.why).toBe('cut');
   });
 
-  it('tells of nothing that was before the drone followed, nor when it does not follow any more', () => {
+  it('shows of nothing that was before the drone followed, nor when it does not follow any more', () => {
     const watch = new AbsenceWatch();
     watch.update(tracking(10), ms(10));
     watch.update({ ...tracking(40), since: at(39) }, ms(40));

@@ -38,21 +38,21 @@ describe('a button that was pressed in vain', () => {
     expect(phone.problem).toContain('whether “Pause” was done');
   });
 
-  it('is told until the line is there again, but long enough to be read', async () => {
+  it('is shown until the connection is back, but long enough to be read', async () => {
     const { phone } = following(lost);
     await phone.act('stop');
     phone.update(BEGAN + 1_000);
     expect(phone.problem).not.toBeNull();
-    const line = phone.uplink ?? expect.fail('It has a line.');
-    line.cutOffSince = BEGAN;
+    const uplink = phone.uplink ?? expect.fail('It has an uplink.');
+    uplink.cutOffSince = BEGAN;
     [5_000, 9_000, 13_000].forEach((after) => phone.update(BEGAN + after));
     expect(phone.problem).not.toBeNull();
-    line.cutOffSince = null;
+    uplink.cutOffSince = null;
     phone.update(BEGAN + 14_000);
     expect(phone.problem).toBeNull();
   });
 
-  it('is told until the next stage, when the cloud refused it', async () => {
+  it('is shown until the next stage, when the cloud refused it', async () => {
     const { phone, apply } = following(refused);
     await phone.act('pause');
     [4_000, 8_000, 12_000].forEach((after) => phone.update(BEGAN + after));

@@ -79,7 +79,7 @@ describe('fixes that wait', () => {
   });
 });
 
-describe('the line to the cloud', () => {
+describe('the uplink to the cloud', () => {
   it('says one thing at a time, and what came meanwhile together', async () => {
     const bench = new Bench();
     bench.uplink.offer(fix(bench.now));

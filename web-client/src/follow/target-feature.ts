@@ -21,7 +21,7 @@ export interface Target {
 
 const CORNERS = 48;
 
-/** The target, as far as its place is known, and a line to where its drone is. */
+/** The target with its accuracy, and a line to its drone. */
 export function targetFeatures(target: Target, drone: Coordinates | null): Feature[] {
   const { id, at, accuracy, label, tone } = target;
   const features: Feature[] = [

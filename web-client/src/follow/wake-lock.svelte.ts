@@ -54,7 +54,7 @@ export class ScreenWakeLock {
     try {
       this.#hold(await this.#lock.request('screen'));
     } catch {
-      // The browser says no, mostly to save power; people are told to keep it on themselves.
+      // The browser refuses, mostly to save power; a warning asks the user to keep the screen on.
       this.state = 'refused';
     } finally {
       this.#asking = false;

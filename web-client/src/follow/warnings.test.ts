@@ -31,7 +31,7 @@ describe('warnings', () => {
     expect(keys({})).toEqual([]);
   });
 
-  it('tell for how long there is no position, and what the drone does', () => {
+  it('show for how long there is no position, and what the drone does', () => {
     expect(keys({ lastFix: NOW - 3900 })).toEqual([]);
     expect(words({ lastFix: NOW - 12_300 })).toContain(
       'No position for 12 s. The drone stands, and flies home in 48 s.',
@@ -52,19 +52,19 @@ describe('warnings', () => {
     expect(keys({ ...lost, cutOffSince: NOW })).toEqual(['cut-off']);
   });
 
-  it('tell apart that the page may not know', () => {
+  it('show apart that the page may not know', () => {
     expect(keys({ locating: 'denied', lastFix: NOW - 60_000 })).toEqual(['denied']);
     expect(words({ locating: 'denied' })).toContain('Allow location');
   });
 
-  it('tell since when it is cut off', () => {
+  it('show since when it is cut off', () => {
     const shown = words({ cutOffSince: NOW - 31_000 });
     expect(shown).toContain('31 s ago');
     expect(shown).toContain('goes on by itself when the network is back');
     expect(words({ cutOffSince: NOW, online: true })).toContain('when the cloud answers');
   });
 
-  it('tell what had kept the phone away and what the drone did, for a while', () => {
+  it('show what had kept the phone away and what the drone did, for a while', () => {
     const absence = { seconds: 34, waited: 32, from: NOW - 35_000, until: NOW - 1000 };
     const meantime = 'The drone stood and waited for 32 s.';
     const shown = (['asleep', 'cut', 'unanswered', 'gone', 'blind', 'vague'] as const).map((why) =>
@@ -86,7 +86,7 @@ describe('warnings', () => {
     expect(keys({ absence: long, leading: false })).toEqual([]);
   });
 
-  it('tell how bad a position is, and from when on it leads nobody', () => {
+  it('show how bad a position is, and from when on it leads nobody', () => {
     expect(keys({ accuracy: 14 })).toEqual([]);
     expect(warningsFor({ ...well, accuracy: 30 })[0]?.tone).toBe('amber');
     expect(warningsFor({ ...well, accuracy: 80 })[0]?.tone).toBe('red');
@@ -95,7 +95,7 @@ describe('warnings', () => {
     expect(warningsFor({ ...well, leading: false, accuracy: 80 })[0]?.todo).not.toContain('flies home');
   });
 
-  it('tell that the screen may go off, unless a recorded walk needs none', () => {
+  it('show that the screen may go off, unless a recorded walk needs none', () => {
     expect(keys({ wake: 'unsupported' })).toEqual(['screen-off']);
     expect(keys({ wake: 'refused', demo: true })).toEqual([]);
   });

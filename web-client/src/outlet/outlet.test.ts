@@ -41,7 +41,7 @@ const PORT: PersonalPort = {
 afterEach(cleanup);
 
 describe('an attached ground station', () => {
-  it('is told by rates, address and what it sees', () => {
+  it('is shown by rates, address and what it sees', () => {
     expect(rateText(CLIENT)).toBe('1,234 messages/s to it, 1/s from it');
     expect(clientText({ ...CLIENT, drones: 2 })).toBe('192.0.2.1:5000 udp · system 255 · sees 2 drones');
     expect(troubleText(CLIENT)).toBeNull();
@@ -130,7 +130,7 @@ describe('the outlet page', () => {
     expect(closePort).toHaveBeenCalledWith('port-1');
   });
 
-  it('tells of a personal port where it is, who has it and how long', () => {
+  it('shows of a personal port where it is, who has it and how long', () => {
     expect(portPlace(PORT, 'cloud.example')).toBe('UDP cloud.example:14561');
     expect(portText(PORT)).toMatch(/^for the first from 192\.0\.2\.7 · until /);
     expect(portText({ ...PORT, peer: '192.0.2.7:5000', refused: 3 })).toMatch(

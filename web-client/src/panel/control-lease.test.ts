@@ -102,7 +102,7 @@ describe('control line', () => {
     expect(screen.queryByRole('group', { name: 'Outlook' })).toBeNull();
   });
 
-  it('tells what happens when the holder is gone, and counts nothing', () => {
+  it('shows what happens when the holder is gone, and counts nothing', () => {
     const then = 'When ann gives no sign for 6 s, it is brought home 30 s later.';
     const sentence = 'When it does not hear the cloud any more, it returns home after 20 s.';
     const outlook = anOutlook({ then, returnsAt: null });
@@ -125,7 +125,7 @@ describe('control line', () => {
     expect(screen.getByText('You have control')).toBeDefined();
   });
 
-  it('counts nothing down without a line', () => {
+  it('counts nothing down without a connection', () => {
     const made = station();
     made.connection.down();
     const drone = aDrone({ control: held({ state: 'free' }), outlook: anOutlook() });

@@ -16,7 +16,7 @@ const FLIGHT: Recording = {
   notice: null,
 };
 
-describe('the line of a flight', () => {
+describe('the text of a flight', () => {
   it('says how long it took and how large it is', () => {
     expect(recordingText(FLIGHT)).toBe('2 min 13 s · 1.2 MB');
   });

@@ -57,7 +57,7 @@ describe('a mission run in words', () => {
     ]);
   });
 
-  it('tells of each waypoint who, when or why not', () => {
+  it('shows of each waypoint who, when or why not', () => {
     const run = aRun();
     const due = '2026-01-01T12:00:45Z';
     expect(waypointText(run, waypoint('2', { due }), NOW)).toBe('to be visited by Falcon, in 45 s');
@@ -78,7 +78,7 @@ describe('a mission run in words', () => {
     );
   });
 
-  it('tells what became of a task, and what is not known of it', () => {
+  it('shows what became of a task, and what is not known of it', () => {
     const photo = { type: 'photo', drone: 'd1', at: '', photo: 3 } as const;
     expect(taskText({ ...photo, result: 'done', words: 'Photo 3 at 47.397700, 8.545600.' })).toBe(
       'Photo: done. Photo 3 at 47.397700, 8.545600.',
@@ -103,7 +103,7 @@ describe('a mission run in words', () => {
     expect(sortedWaypoints(run).map((one) => one.id)).toEqual(['3', '4', '2', '1']);
   });
 
-  it('tells of a decision what moved from whom to whom, and the cost before and after', () => {
+  it('shows of a decision what moved from whom to whom, and the cost before and after', () => {
     const moved = [
       { waypoint: '3', from: 'd1', to: 'd2' },
       { waypoint: '4', from: 'd1', to: 'd2' },
@@ -218,7 +218,7 @@ describe('a mission run on the map', () => {
 });
 
 describe('what a paused run does when it goes on', () => {
-  it('is told with the drones that move', () => {
+  it('is shown with the drones that move', () => {
     const drones = [
       drone('d1', { stage: 'holding', next: ['2'] }),
       drone('d2', { stage: 'ready', next: ['3'] }),

@@ -58,7 +58,7 @@ describe('controls', () => {
     await vi.waitFor(() => expect(mine.held.get('d1')).toBe(9));
   });
 
-  it('stops when somebody else has control, but not for a line that is down', async () => {
+  it('stops when somebody else has control, but not for a lost connection', async () => {
     const answers = [Problem.unreachable(), new Problem({ status: 409, detail: 'bob has had control' })];
     const heartbeat = vi.fn(() => Promise.reject(answers.shift() ?? new Error('asked again')));
     const { controls: mine, later } = controls({ heartbeat });
@@ -75,7 +75,7 @@ describe('controls', () => {
     expect(heartbeat).toHaveBeenCalledTimes(2);
   });
 
-  it('tells its own control from that of another window, and from that which came with a command', async () => {
+  it('shows its own control from that of another window, and from that which came with a command', async () => {
     const { controls: mine } = controls();
     await mine.take('d1');
 

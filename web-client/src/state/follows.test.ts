@@ -54,7 +54,7 @@ describe('follows', () => {
 });
 
 describe('what is asked over the stream', () => {
-  it('is answered, refused, or given up when the line goes down', async () => {
+  it('is answered, refused, or given up when the connection is lost', async () => {
     const pending = new PendingRequests<string>();
     const ids: string[] = [];
     const ask = (): Promise<string> | null => pending.request((id) => ids.push(id) > 0);

@@ -21,7 +21,7 @@ interface Track {
 }
 
 /**
- * Where each drone has been since this page was opened: at most 600 points each, the oldest go first. A line is broken
+ * The track of each drone since this page was opened: at most 600 points each, the oldest go first. A line is broken
  * where the way between two points is unknown.
  */
 export class Trails {

@@ -70,7 +70,7 @@ afterEach(() => {
 const body = (): Element => document.querySelector('.body') as Element;
 const mapSays = (): string => JSON.stringify(shown.drones);
 
-describe('a page whose line to the cloud is cut', () => {
+describe('a page without a connection to the cloud', () => {
   it('says so, shows all of it as old with its age, and commands nothing', async () => {
     const station = aStation();
     station.view.select('d1');
@@ -101,7 +101,7 @@ describe('a page whose line to the cloud is cut', () => {
     expect(screen.getAllByText('No connection to the cloud.').length).toBeGreaterThan(0);
   });
 
-  it('is as before at once when the line is back', async () => {
+  it('is as before at once when the connection is back', async () => {
     const station = aStation();
     station.view.select('d1');
     await show(station);
@@ -130,7 +130,7 @@ describe('a page whose line to the cloud is cut', () => {
   });
 });
 
-describe('the page of a phone whose line to the cloud is cut', () => {
+describe('the page of a phone without a connection to the cloud', () => {
   it('calls its figures old', () => {
     const station = aStation();
     const now = aFollowNow('2026-01-01T12:00:00Z');

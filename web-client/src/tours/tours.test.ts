@@ -228,7 +228,7 @@ describe('a plan for several drones', () => {
     expect(stepsOf(steps.slice(0, 2), 5)).toBe('');
   });
 
-  it('tells what a better order saves, and changes the draft only as a whole', () => {
+  it('shows what a better order saves, and changes the draft only as a whole', () => {
     const line = orderText({
       order: [1, 0],
       before: { seconds: 100, distance: 900 },

@@ -31,24 +31,24 @@ function virtual(part: Partial<VirtualDrone>): VirtualDrone {
   };
 }
 
-describe('the line of a virtual drone', () => {
-  it('tells what is there before it was started', () => {
+describe('the text of a virtual drone', () => {
+  it('shows what is there before it was started', () => {
     expect(stateText(virtual({}))).toBe('no mission yet');
     expect(stateText(virtual({ items: [] }))).toBe('planned');
   });
 
-  it('tells the place in the queue', () => {
+  it('shows the place in the queue', () => {
     const run: VirtualRun = { ...RUN, state: 'queued', queue: { position: 2, length: 3 } };
     expect(stateText(virtual({ run }))).toBe('waiting, 2 of 3 in the queue');
   });
 
-  it('tells how far it is', () => {
+  it('shows how far it is', () => {
     expect(stateText(virtual({ run: RUN }))).toBe('flying, 1 of 4 waypoints');
     expect(toneOf(virtual({ run: RUN }))).toBe('good');
     expect(toneOf(virtual({ run: { ...RUN, state: 'suspended' } }))).toBe('look');
   });
 
-  it('tells of the drone that serves only what is known', () => {
+  it('shows of the drone that serves only what is known', () => {
     const live: VirtualDrone['live'] = {
       link: 'suspect',
       kind: 'multicopter',
