@@ -56,9 +56,9 @@ def _click_places(page: Page) -> None:
 
 def _plan(station: Station) -> None:
     page = station.page
-    page.get_by_role("button").filter(has_text="Plan for several drones").click()
+    page.get_by_role("button").filter(has_text="Multi-drone plan").click()
     _click_places(page)
-    page.get_by_role("button").filter(has_text="More wishes").click()
+    page.get_by_role("button").filter(has_text="Options").click()
     page.get_by_label("Search for (s)").fill("1")
     station.press("Select all")
     station.press("Plan")

@@ -106,8 +106,8 @@ def test_page_reports_cut_connection_within_three_seconds(
         assert re.search(r"for [23] s", notice["words"]), "the age is counted from the last word of the cloud"
         expect(page.get_by_text("Connected")).to_have_count(0)
         expect(page.get_by_text(re.compile("these are the last values, .* ago"))).to_be_visible()
-        expect(page.get_by_text(re.compile("^No line · .* ago")).first).to_be_visible()
-        expect(page.get_by_text("No line: you may have lost control")).to_be_visible()
+        expect(page.get_by_text(re.compile("^Offline · .* ago")).first).to_be_visible()
+        expect(page.get_by_text("Offline: you may have lost control")).to_be_visible()
         for label in COMMANDS:
             for button in station.button(label).all():
                 expect(button).to_have_attribute("aria-disabled", "true")

@@ -64,7 +64,7 @@ def test_drone_gift_and_its_return(
     assert copter["id"] not in [drone["id"] for drone in api.drones()]
     picture(page, f"gifts-2-{viewport['width']}")
 
-    input_method.hold(page, given.get_by_role("button", name="Take back"))
+    input_method.hold(page, given.get_by_role("button", name="Reclaim"))
     expect(given).to_have_count(0, timeout=PATIENCE)
     assert copter["id"] in [drone["id"] for drone in api.drones()]
     page.context.close()

@@ -46,7 +46,7 @@ class GrantsPage(NamedTuple):
 
     @property
     def card(self) -> Locator:
-        return self.page.get_by_role("region", name="Who may see what")
+        return self.page.get_by_role("region", name="Grants")
 
     def row(self, user: str) -> Locator:
         return self.card.get_by_role("listitem").filter(has_text=user)
@@ -58,7 +58,7 @@ class GrantsPage(NamedTuple):
         self.input_method.press(self.page, self.card.get_by_role("button", name="Grant", exact=True))
 
     def revoke(self, user: str) -> None:
-        self.input_method.hold(self.page, self.row(user).get_by_role("button", name="Take back"))
+        self.input_method.hold(self.page, self.row(user).get_by_role("button", name="Revoke"))
 
 
 def open_grants_page(

@@ -106,7 +106,7 @@ class PhoneTrial:
         """Waits until the cloud and the station show these words."""
         wait_for(f"told: {words}", lambda: (self.seen()["note"] or "").startswith(words), seconds)
         assert self.seen()["now"]["reach"] == {SLEEPS: "asleep", CUT_OFF: "cut", CLOSED: "gone"}[words]
-        shelf = self.station.get_by_role("region", name="Phones that are followed")
+        shelf = self.station.get_by_role("region", name="Follow me")
         expect(shelf).to_contain_text(words)
         expect(shelf).to_contain_text("stands still and waits for")
         expect(shelf).to_contain_text(re.compile(r"Silent for \d+ s; flies home in \d+ s"))
@@ -149,7 +149,7 @@ def trial(
     page = open_phone_page(browser, beside(drone["home"], Walker.east, Walker.north))
     desk = open_page(browser, dark=True)
     Station(desk, Pointer()).sign_in(server.address, *create_operator(api), secrets.token_hex(10))
-    desk.get_by_role("button", name=re.compile("^Phones that are followed")).click()
+    desk.get_by_role("button", name=re.compile("^Follow me")).click()
     made = PhoneTrial(api, recorder, drone, Walker(page, drone["home"]), desk)
     sign_in(page, f"http://localhost:{server.http_port}/follow", api)
     page.get_by_role("button", name="Change that").tap()
@@ -192,7 +192,7 @@ def check_lost_network(trial: PhoneTrial, network: Network) -> None:
     expect(page.get_by_role("heading", name="The cloud does not answer")).to_be_visible()
     expect(page.get_by_text("stands still in the air and waits")).to_be_visible()
     expect(page.get_by_text(re.compile(r"It flies home in \d+ s"))).to_be_visible()
-    expect(page.get_by_text("As last heard")).to_be_visible()
+    expect(page.get_by_text("Last known")).to_be_visible()
     picture(page, "away-cut")
     picture(trial.station, "away-cut-station")
     for _ in rounds(began + CUT, 1):

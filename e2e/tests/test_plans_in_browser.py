@@ -133,27 +133,27 @@ def test_plan_start_and_change_run_of_three_drones(fleet: Server, page: Page) ->
     station.press("Stop planning")
     station.press("Close ArduCopter 1")
 
-    section = page.get_by_role("button").filter(has_text="Plan for several drones")
+    section = page.get_by_role("button").filter(has_text="Multi-drone plan")
     section.click()
     tap_places(page, PLACES)
     station.shows(f"{len(PLACES)} waypoints")
     picture(page, "plans-1-waypoints")
 
     # Two plans side by side, then back to the one for the earliest end.
-    page.get_by_role("button").filter(has_text="More wishes").click()
+    page.get_by_role("button").filter(has_text="Options").click()
     page.get_by_label("Search for (s)").fill("1")
     plan = page.get_by_role("article", name="Plan")
     station.press("Select all")
     station.press("Plan")
     expect(plan).to_contain_text("All done after", timeout=60_000)
-    page.get_by_label("Good at").select_option("leastDistance")
+    page.get_by_label("Optimise").select_option("leastDistance")
     station.press("Plan")
     comparison = page.get_by_role("table")
     expect(comparison).to_contain_text("distance in all", timeout=60_000)
     bars = page.get_by_role("list", name="When each drone is done, in both plans")
     expect(bars.get_by_role("listitem")).to_have_count(DRONES)
     picture(page, "plans-2-compared")
-    page.get_by_label("Good at").select_option("earliestEnd")
+    page.get_by_label("Optimise").select_option("earliestEnd")
 
     # Another one lies where nobody may fly.
     _forbid(api, _place_of(page, str(len(PLACES))))
@@ -166,7 +166,7 @@ def test_plan_start_and_change_run_of_three_drones(fleet: Server, page: Page) ->
     station.input_method.hold(page, station.button("Start"))
     assert presses(page) <= 4
 
-    run = page.get_by_role("region", name="Mission run Mission run")
+    run = page.get_by_role("region", name="Run Mission run")
     expect(run.get_by_text("flying", exact=True).first).to_be_visible(timeout=60_000)
     run.get_by_role("button", name=re.compile("^Waypoints")).click()
     # The one whose turn comes last.
@@ -182,13 +182,13 @@ def test_plan_start_and_change_run_of_three_drones(fleet: Server, page: Page) ->
     expect(run.get_by_role("status").first).to_contain_text("The run is over", timeout=120_000)
     run.get_by_role("button").filter(has_text="Journal").click()
     station.press("Replay the journal")
-    station.shows("not a letter differs")
+    station.shows("no difference")
     picture(page, "runs-2-over")
 
     # Everything is open at once: the page keeps its height, and the map serves the run alone.
     page.get_by_role("button", name="Set waypoints on the map").click()
     station.shows("Click to add waypoints")
-    shelf = page.get_by_role("region", name="Mission runs", exact=True)
+    shelf = page.get_by_role("region", name="Runs", exact=True)
     shelf.get_by_role("button").first.click()
     shelf.locator("button[aria-pressed]").first.click()
     expect(page.get_by_text("Click to add waypoints")).to_have_count(0)

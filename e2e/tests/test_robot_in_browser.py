@@ -186,12 +186,12 @@ def test_robot_map_driving_and_goal_on_page(api: Api, robot: Json, page: Page, s
     yaw = api.drone(robot["id"])["local"]["yaw"]
     steer.get_by_role("application").focus()
     page.keyboard.down("a")
-    expect(state).to_contain_text("You are steering: turning left")
+    expect(state).to_contain_text("Steering: turning left")
     wait_for("it turns to its left", lambda: degrees_turned(yaw, api.drone(robot["id"])["local"]["yaw"]) > 20)
     expect(canvas, "and one sees it").to_be_in_viewport(ratio=0.9)
     picture(page, "robot-steered-wide")
     page.keyboard.up("a")
-    expect(state).to_have_text("Nobody steers from here")
+    expect(state).to_have_text("Not steering")
 
     before = api.drone(robot["id"])["local"]
     stick = steer.locator("[data-stick=Drive]")
@@ -227,7 +227,7 @@ def check_steering_on_phone(api: Api, robot: Json, page: Page, steer: Locator) -
     assert is_on_top(page, [x, y - 60], "[data-stick]"), "nor over the stick"
     picture(page, "robot-steered-narrow")
     page.mouse.up()
-    expect(steer.get_by_role("status")).to_have_text("Nobody steers from here")
+    expect(steer.get_by_role("status")).to_have_text("Not steering")
 
 
 def is_on_top(page: Page, place: list[float], selector: str) -> bool:

@@ -29,7 +29,7 @@ def enter(server: Server, api: Api, page: Page, role: str) -> Station:
     assert answer.status_code == 201, answer.text
     station = Station(page, Pointer())
     station.sign_in(server.address, name, password, secrets.token_hex(10))
-    page.get_by_role("button").filter(has_text="No-fly zones of the cloud").click()
+    page.get_by_role("button").filter(has_text="Zones").click()
     return station
 
 
@@ -62,7 +62,7 @@ def test_supervisor_draws_imports_and_deletes_zones(
         page.wait_for_timeout(400)
     page.get_by_label("Name", exact=True).fill(drawn)
     page.get_by_label("Ceiling, m", exact=True).fill("80")
-    page.get_by_label("Binds").select_option("one drone")
+    page.get_by_label("Applies to").select_option("one drone")
     expect(page.get_by_role("combobox", name="Drone", exact=True)).to_have_value(copter["id"])
     picture(page, "zones-1-drawing")
     station.press("Save the zone")
@@ -73,7 +73,7 @@ def test_supervisor_draws_imports_and_deletes_zones(
     assert zone["properties"]["drone"] == copter["id"]
 
     station.press(f"Change {drawn}")
-    page.get_by_label("Binds").select_option("everybody")
+    page.get_by_label("Applies to").select_option("everybody")
     page.get_by_label("Floor and ceiling are").select_option("above sea level")
     page.get_by_label("Until (empty: no end)").fill("2099-05-04T10:00")
     picture(page, "zones-3-changing")

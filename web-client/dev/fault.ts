@@ -91,25 +91,25 @@ export function faultOf(errors: readonly ErrorObject[]): Fault | null {
   const schema = (first.parentSchema ?? {}) as Schema;
   const code = CODES[keyword] ?? 'value-malformed';
   const field = fieldOf(first);
-  const told = (allowed: string, sentence: string): Fault => ({ code, field, allowed, sentence });
+  const faultWith = (allowed: string, sentence: string): Fault => ({ code, field, allowed, sentence });
   if (keyword === 'required') {
     const members = (schema['properties'] ?? {}) as Record<string, Schema>;
     const allowed = allowedBy(members[params['missingProperty'] as string] ?? {});
-    return told(allowed, `"${field}" is missing; it must be ${allowed}.`);
+    return faultWith(allowed, `"${field}" is missing; it must be ${allowed}.`);
   }
   if (keyword === 'additionalProperties') {
     const members = membersOf(schema);
-    return told(members, `There is no member "${field}" here; there are: ${members}.`);
+    return faultWith(members, `There is no member "${field}" here; there are: ${members}.`);
   }
   if (keyword === 'discriminator') {
-    return told(
+    return faultWith(
       'one of its forms',
       `"${field}" must be one of its forms, not ${JSON.stringify(params['tagValue'])}.`,
     );
   }
   const allowed = keyword === 'type' ? allowedBy({ type: schema['type'] }) : allowedBy(schema);
   const not = code === 'value-malformed' || typeof data === 'object' ? '' : `, not ${JSON.stringify(data)}`;
-  return told(allowed, `"${field}" must be ${allowed}${not}.`);
+  return faultWith(allowed, `"${field}" must be ${allowed}${not}.`);
 }
 
 /** The fault as the server's answer to a request that has it. */

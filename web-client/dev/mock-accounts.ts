@@ -1,6 +1,6 @@
 // The accounts of the mock server: who is signed in, users, invitations, registration.
 import { randomUUID } from 'node:crypto';
-import type { Invitation, NewUser, Role, Session, User, WaysIn } from '../src/api/accounts';
+import type { Invitation, NewUser, Role, Session, User, RegistrationOptions } from '../src/api/accounts';
 import type {
   Credentials,
   NewInvitation,
@@ -59,7 +59,7 @@ export class MockAccounts {
     withdrawInvitation: (_, id) => {
       this.#invitations = this.#invitations.filter((one) => one.id !== id);
     },
-    getRegistrationPolicy: () => ({ policy: 'approval', signInWith: null }) satisfies WaysIn,
+    getRegistrationPolicy: () => ({ policy: 'approval', signInWith: null }) satisfies RegistrationOptions,
     register: (body: RegistrationRequest) => this.#register(body),
   };
 

@@ -20,7 +20,7 @@ export interface CloudOptions {
   /** Where tiles of maps are; null: nowhere. */
   readonly tileAddress: string | null;
   readonly streamPort: () => number;
-  /** Says something on the stream. */
+  /** Sends a message to all on the stream. */
   readonly broadcast: (message: unknown) => void;
 }
 
@@ -93,7 +93,7 @@ export class MockCloud {
     },
   };
 
-  /** What the stream says first. */
+  /** The first messages on a stream. */
   greeting(): object[] {
     const { name, role } = this.accounts;
     return [
@@ -103,14 +103,14 @@ export class MockCloud {
     ];
   }
 
-  /** The answer to what is asked for on the stream; undefined: there is none here. */
+  /** The answer to a request on the stream; undefined: there is none here. */
   answer(request: StreamRequest): object | undefined {
     switch (request.type) {
       case 'positions':
         return {
           type: 'positionsHeard',
           requestId: null,
-          receipt: this.#follows.hear(request.follow, request),
+          receipt: this.#follows.receive(request.follow, request),
         };
       case 'command': {
         const command = this.#command(this.#drone(request.drone), request.command as CommandRequest);

@@ -47,10 +47,10 @@ export class MockDrone {
 
   constructor(beginning: Beginning) {
     this.beginning = beginning;
-    this.say('info', `${beginning.vehicle} V4.5.6 (mock)`);
+    this.report('info', `${beginning.vehicle} V4.5.6 (mock)`);
   }
 
-  say(severity: Drone['messages'][number]['severity'], text: string): void {
+  report(severity: Drone['messages'][number]['severity'], text: string): void {
     this.messages = [...this.messages, { severity, text, at: new Date().toISOString() }].slice(-30);
   }
 
@@ -109,7 +109,7 @@ export class MockDrone {
       this.armed = false;
       this.goal = null;
       this.up = 0;
-      this.say('info', 'Disarming motors');
+      this.report('info', 'Disarming motors');
     }
   }
 
@@ -122,7 +122,7 @@ export class MockDrone {
     const { north, east, up } = this.goal;
     if (Math.hypot(north - this.north, east - this.east) < 0.6 && Math.abs(up - this.up) < 0.6) {
       this.reached = [...this.reached, this.current];
-      this.say('info', `Reached command #${this.current + 1}`);
+      this.report('info', `Reached command #${this.current + 1}`);
       const next = this.current + 1;
       this.current = next < (this.items?.length ?? 0) ? next : this.current;
       if (item.type === 'returnToLaunch') {
@@ -243,7 +243,7 @@ export class MockDrone {
 
   #arm(): Command['outcome'] {
     if (this.beginning.name.endsWith('3')) {
-      this.say('critical', 'PreArm: GPS 1: not healthy');
+      this.report('critical', 'PreArm: GPS 1: not healthy');
       return {
         result: 'refused',
         by: 'vehicle',
@@ -254,7 +254,7 @@ export class MockDrone {
     this.armed = true;
     this.mode = 'GUIDED';
     this.goal = null;
-    this.say('info', 'Arming motors');
+    this.report('info', 'Arming motors');
     return { result: 'succeeded', by: 'vehicle', reason: null, code: null };
   }
 }

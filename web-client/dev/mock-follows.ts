@@ -18,7 +18,7 @@ import { Refusal } from './refusal';
 
 const HOLDS_MILLISECONDS = 2_000;
 const ASLEEP_MILLISECONDS = 2_500;
-const TOLD_MILLISECONDS = 3_000;
+const WARN_MILLISECONDS = 3_000;
 const PATIENCE_SECONDS = 60;
 const USUAL_PLACE: Follow['place'] = { side: 'behind', bearing: null, turn: null, distance: 8, height: 15 };
 const REASONS: Record<PhoneReach, string> = {
@@ -28,7 +28,7 @@ const REASONS: Record<PhoneReach, string> = {
   cut: 'The phone cannot be reached: it has no network.',
   gone: 'The phone’s page was closed, or has crashed.',
 };
-/** What is left out stays as it is. */
+/** The place after a change; members that are left out stay. */
 function placed(was: Follow['place'], change: PlaceChange): Follow['place'] {
   return {
     side: change.side ?? was.side,
@@ -39,8 +39,8 @@ function placed(was: Follow['place'], change: PlaceChange): Follow['place'] {
   };
 }
 
-/** What each wish makes of each stage; left out: it is refused. */
-const WISHES: Record<string, Partial<Record<FollowStage, FollowStage>>> = {
+/** The stage after each action, by stage; left out: it is refused. */
+const ACTIONS: Record<string, Partial<Record<FollowStage, FollowStage>>> = {
   start: { allocated: 'starting' },
   cancel: { allocated: 'over', starting: 'returning' },
   pause: { tracking: 'paused' },
@@ -48,7 +48,7 @@ const WISHES: Record<string, Partial<Record<FollowStage, FollowStage>>> = {
   stop: { starting: 'returning', tracking: 'returning', paused: 'returning', suspended: 'over' },
 };
 
-/** What the server lends. */
+/** The parts of the server that follows need. */
 export interface FollowPorts {
   drones: readonly MockDrone[];
   /** Who is signed in. */
@@ -59,7 +59,7 @@ export interface FollowPorts {
 /** Plays the wire contract of follows just truly enough to develop the pages against. */
 export class MockFollows {
   #all: Follow[] = [];
-  #saidAt = 0;
+  #reportedAt = 0;
   #positionAt = 0;
   /** The connection of the phone is closed. */
   #gone = false;
@@ -77,11 +77,11 @@ export class MockFollows {
       const follow = this.#find(id);
       return this.#put({ ...follow, place: placed(follow.place, body) });
     },
-    reportFollowPositions: (body: Positions, id) => this.hear(id, body),
+    reportFollowPositions: (body: Positions, id) => this.receive(id, body),
     ...Object.fromEntries(
-      Object.keys(WISHES).map((wish) => [
-        `${wish}Follow`,
-        ((_, id) => this.#wish(wish, id)) satisfies Handler,
+      Object.keys(ACTIONS).map((action) => [
+        `${action}Follow`,
+        ((_, id) => this.#act(action, id)) satisfies Handler,
       ]),
     ),
   };
@@ -90,28 +90,28 @@ export class MockFollows {
     return this.#all.filter(({ state }) => state !== 'over');
   }
 
-  /** The phone says where it is, by either face. */
-  hear(id: string, { positions }: Positions): FollowReceipt {
+  /** Receives positions, by REST or on the stream. */
+  receive(id: string, { positions }: Positions): FollowReceipt {
     const follow = this.#find(id);
     if (follow.state === 'over') {
       throw new Refusal(409, 'operation-over', 'This follow is over.', { parameters: { id } });
     }
-    this.#saidAt = Date.now();
+    this.#reportedAt = Date.now();
     this.#gone = false;
-    const heard = new Date().toISOString();
+    const receivedAt = new Date().toISOString();
     const newest = positions.at(-1);
     if (newest === undefined || follow.now === null) {
-      return { at: heard, follow: id, taken: 0, known: 0, upTo: null };
+      return { at: receivedAt, follow: id, taken: 0, known: 0, upTo: null };
     }
-    this.#positionAt = this.#saidAt;
+    this.#positionAt = this.#reportedAt;
     const { latitude, longitude } = newest;
     const accuracy = newest.accuracy ?? 10;
-    const phone = { at: { latitude, longitude }, accuracy, id: Date.parse(newest.at), heard };
-    this.#tell({ ...follow, now: { ...follow.now, phone } });
-    return { at: heard, follow: id, taken: positions.length, known: 0, upTo: phone.id };
+    const phone = { at: { latitude, longitude }, accuracy, id: Date.parse(newest.at), heard: receivedAt };
+    this.#publish({ ...follow, now: { ...follow.now, phone } });
+    return { at: receivedAt, follow: id, taken: positions.length, known: 0, upTo: phone.id };
   }
 
-  /** The connection by which a phone spoke has ended. */
+  /** The connection of the phone has ended. */
   left(): void {
     this.#gone = true;
   }
@@ -137,17 +137,17 @@ export class MockFollows {
         reach: this.#reach(),
       },
     };
-    this.#tell(follow);
+    this.#publish(follow);
     if (follow.state === 'starting' && drone.up > follow.place.height - 1) {
       this.#to(follow, 'tracking', `${follow.droneName} is in the air and follows.`);
     } else if (follow.state === 'tracking') {
-      this.#lead(follow, drone);
+      this.#guide(follow, drone);
     } else if (follow.state === 'returning' && !drone.armed) {
       this.#to(follow, 'over', `${follow.droneName} is down; it is over.`);
     }
   }
 
-  #lead(follow: Follow, drone: MockDrone): void {
+  #guide(follow: Follow, drone: MockDrone): void {
     const silent = Date.now() - Math.max(this.#positionAt, Date.parse(follow.since));
     const target = follow.now?.phone?.at;
     if (silent < HOLDS_MILLISECONDS && target !== undefined) {
@@ -160,13 +160,13 @@ export class MockFollows {
       drone.act({ type: 'returnToLaunch' });
       const words = `The phone has said nothing for ${PATIENCE_SECONDS} s; ${follow.droneName} flies home.`;
       this.#to(follow, 'returning', words);
-    } else if (silent > TOLD_MILLISECONDS) {
+    } else if (silent > WARN_MILLISECONDS) {
       const words = `${REASONS[this.#reach()]} ${follow.droneName} waits, and flies home ${PATIENCE_SECONDS} s after the last position.`;
       if (follow.note !== words) {
-        this.#put({ ...told(follow, words), note: words });
+        this.#put({ ...withEvent(follow, words), note: words });
       }
     } else if (follow.note !== null) {
-      this.#put({ ...told(follow, 'The phone says again where it is.'), note: null });
+      this.#put({ ...withEvent(follow, 'The phone says again where it is.'), note: null });
     }
   }
 
@@ -174,7 +174,7 @@ export class MockFollows {
     if (this.#gone) {
       return 'gone';
     }
-    return Date.now() - this.#saidAt < ASLEEP_MILLISECONDS ? 'speaks' : 'asleep';
+    return Date.now() - this.#reportedAt < ASLEEP_MILLISECONDS ? 'speaks' : 'asleep';
   }
 
   #open({ drone: wanted, name, place }: FollowOrder): Follow {
@@ -206,11 +206,11 @@ export class MockFollows {
     return this.#find(follow.id);
   }
 
-  #wish(wish: string, id: string): Follow {
+  #act(action: string, id: string): Follow {
     const follow = this.#find(id);
-    const next = WISHES[wish]?.[follow.state];
+    const next = ACTIONS[action]?.[follow.state];
     if (next === undefined) {
-      throw new Refusal(409, 'operation-state', `It is ${follow.state}: it takes no “${wish}” now.`);
+      throw new Refusal(409, 'operation-state', `It is ${follow.state}: it takes no “${action}” now.`);
     }
     const drone = this.#drone(follow);
     if (next === 'starting') {
@@ -221,13 +221,13 @@ export class MockFollows {
     } else if (next === 'paused') {
       drone.goal = { north: drone.north, east: drone.east, up: drone.up };
     }
-    return this.#to(follow, next, `${follow.owner} wished it: ${wish}.`);
+    return this.#to(follow, next, `${follow.owner} requested it: ${action}.`);
   }
 
   #to(follow: Follow, state: FollowStage, words: string): Follow {
     const at = new Date().toISOString();
     const over = state === 'over' ? { end: words, endedAt: at, now: null } : {};
-    return this.#put({ ...told(follow, words), state, since: at, note: null, ...over });
+    return this.#put({ ...withEvent(follow, words), state, since: at, note: null, ...over });
   }
 
   #put(follow: Follow): Follow {
@@ -236,8 +236,8 @@ export class MockFollows {
     return follow;
   }
 
-  /** What changes all the time. */
-  #tell(follow: Follow): void {
+  /** Sends the part of a follow that changes all the time. */
+  #publish(follow: Follow): void {
     if (this.#all.some(({ id }) => id === follow.id)) {
       this.#all = this.#all.map((one) => (one.id === follow.id ? follow : one));
       this.#ports.broadcast({ type: 'followNow', id: follow.id, now: follow.now });
@@ -265,6 +265,6 @@ export class MockFollows {
   }
 }
 
-function told(follow: Follow, words: string): Follow {
+function withEvent(follow: Follow, words: string): Follow {
   return { ...follow, told: [...follow.told, { at: new Date().toISOString(), words }].slice(-30) };
 }

@@ -236,26 +236,26 @@ describe('the mock server plays the description of the stream', () => {
   const schemas = new Schemas(readStream());
   const asked = Object.entries(operations).filter(([, { action }]) => action === 'receive');
 
-  /** Told to all who are connected. */
-  const TOLD = ['drone', 'drones', 'ping', 'command', 'follow', 'followNow'];
+  /** Sent to all clients without a request. */
+  const UNSOLICITED = ['drone', 'drones', 'ping', 'command', 'follow', 'followNow'];
 
-  interface Said {
+  interface Received {
     type: string;
     requestId?: string;
     problem?: object;
   }
 
   /** What a request is answered with; null: nothing before the next request is answered. */
-  async function answerTo(request: object): Promise<Said | null> {
+  async function answerTo(request: object): Promise<Received | null> {
     const client = new WebSocket(mock.streamAddress);
-    const answers: Said[] = [];
+    const answers: Received[] = [];
     const answered = new Promise<void>((resolve) => {
       client.on('message', (data: Buffer) => {
-        const said = JSON.parse(data.toString()) as Said;
-        if (!TOLD.includes(said.type)) {
-          answers.push(said);
+        const received = JSON.parse(data.toString()) as Received;
+        if (!UNSOLICITED.includes(received.type)) {
+          answers.push(received);
         }
-        if (said.type === 'error' && said.requestId === 'next') {
+        if (received.type === 'error' && received.requestId === 'next') {
           resolve();
         }
       });
@@ -291,8 +291,8 @@ describe('the mock server plays the description of the stream', () => {
       { type: 'control', drone: 'd2k2m9q4xa', action: 'take', user: 'ann' },
       'There is no member "user" here; there are: action, drone, requestId, type.',
     ],
-  ])('refuses what is not as it is described: %o', async (said, detail) => {
+  ])('refuses what is not as it is described: %o', async (received, detail) => {
     const problem = { status: 422, detail };
-    expect(await answerTo(said)).toMatchObject({ type: 'error', requestId: 'mine', problem });
+    expect(await answerTo(received)).toMatchObject({ type: 'error', requestId: 'mine', problem });
   });
 });

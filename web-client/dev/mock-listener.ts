@@ -16,7 +16,7 @@ export interface ListenerOptions {
   readonly drones: number;
   /** Where tiles of maps are; null: nowhere. */
   readonly tileAddress: string | null;
-  /** Hears why something is not sent that the descriptions do not have. */
+  /** Called with the reason when a message is not as it is described. */
   readonly breach: (sentence: string) => void;
 }
 

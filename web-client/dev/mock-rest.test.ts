@@ -6,7 +6,7 @@ import { MockStream } from './mock-stream';
 
 const SETTINGS = { streamPort: 8091, tileAddress: null, version: 'mock', publicMode: false, phonePage: null };
 
-/** What GET settings is answered with by a scenario, and the breaches that were told. */
+/** What GET settings is answered with by a scenario, and the breaches that were reported. */
 function settingsBy(getSettings: Handler): [number, unknown, string[]] {
   const breaches: string[] = [];
   const rest = new MockRest(readRest(), {

@@ -31,7 +31,7 @@ export interface Scenario {
   /** By the id of the operation. */
   readonly handlers: Readonly<Record<string, Handler>>;
   readonly signedIn: () => boolean;
-  /** Hears why an answer is not what the description says. */
+  /** Called with the reason when an answer is not as it is described. */
   readonly breach: (sentence: string) => void;
 }
 

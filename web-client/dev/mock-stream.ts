@@ -8,13 +8,13 @@ import { Schemas } from './schemas';
 
 /** The state of the mock server, as far as the stream sees it. */
 export interface StreamScenario {
-  /** What is said first to whoever connects. */
+  /** The first messages to each client. */
   readonly greeting: () => readonly unknown[];
   /** The answer to a request, without its id; undefined: the scenario has none. */
   readonly answer: (request: StreamRequest) => object | undefined;
-  /** The connection by which a phone spoke has ended. */
+  /** Called when the connection of a phone has ended. */
   readonly phoneLeft: () => void;
-  /** Hears why a message is not what the description says. */
+  /** Called with the reason when a message is not as it is described. */
   readonly breach: (sentence: string) => void;
 }
 
@@ -33,7 +33,7 @@ export class MockStream {
     this.#scenario = scenario;
   }
 
-  /** Said to all who are connected. */
+  /** Sends a message to all clients. */
   broadcast(message: unknown): void {
     this.#clients.forEach((client) => this.#send(client, message));
   }
@@ -58,7 +58,7 @@ export class MockStream {
     this.#scenario.greeting().forEach((message) => this.#send(client, message));
   }
 
-  /** Nothing is said that the description does not have: the connection ends instead. */
+  /** Sends only what is described; otherwise the connection ends. */
   #send(client: WebSocket, message: unknown): void {
     const fault = this.#schemas.faultOf(named('StreamMessage'), message);
     if (fault === null) {
@@ -70,7 +70,7 @@ export class MockStream {
     client.close(SERVER_FAILED, 'The mock server breaks its description; it says where.');
   }
 
-  #answer(text: string, heard: (request: StreamRequest) => void): unknown {
+  #answer(text: string, received: (request: StreamRequest) => void): unknown {
     let requestId: string | null = null;
     try {
       const request = JSON.parse(text) as StreamRequest;
@@ -79,7 +79,7 @@ export class MockStream {
       if (fault !== null) {
         throw refusalOf(fault);
       }
-      heard(request);
+      received(request);
       const answer = this.#scenario.answer(request) ?? this.#example(request);
       return answer && { ...answer, ...('requestId' in answer ? { requestId } : {}) };
     } catch (thrown) {

@@ -5,7 +5,7 @@ import type { ZoneCollection, ZoneFeature } from '../src/api/contract';
 import type { Handler } from './mock-rest';
 import { needed, Refusal } from './refusal';
 
-/** What the server lends. */
+/** The parts of the server that zones need. */
 export interface ZonePorts {
   /** Who is signed in. */
   owner: () => string;

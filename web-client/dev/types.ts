@@ -1,5 +1,5 @@
 /**
- * Writes the types of what REST takes and answers, and of what is said on the stream, from their descriptions, which it also
+ * Writes the types of what REST takes and answers, and of what is sent on the stream, from their descriptions, which it also
  * checks; with --check it only says whether they are what the descriptions give. Addresses and their statuses are left out: the page has its own
  * words for them.
  */
@@ -46,8 +46,8 @@ function fail(sentence: string): void {
 function purposes({ components }: OpenAPI3): string {
   const command = components?.schemas?.['CommandView'] as Record<string, unknown>;
   const { type } = command['properties'] as { type: { 'x-purposes': Record<string, string> } };
-  const said = type['x-purposes'];
-  const lines = Object.entries(said).map(([command, purpose]) => `  ${command}: '${purpose}',\n`);
+  const purposes = type['x-purposes'];
+  const lines = Object.entries(purposes).map(([command, purpose]) => `  ${command}: '${purpose}',\n`);
   return `// Written by npm run types: what each command is for.\n\nexport const PURPOSES = {\n${lines.join('')}} as const;\n`;
 }
 

@@ -1,4 +1,4 @@
-import type { Outlook, WithoutCloud } from './api/control';
+import type { Outlook, CloudLossState } from './api/control';
 import type { Follow, FollowNow, PhoneReach } from './api/follows';
 import type { MissionRun, RunDrone, RunWaypoint } from './api/runs';
 import type { Action, Command, Drone, VehicleMission } from './api/types';
@@ -51,14 +51,14 @@ export function aDrone(change: Partial<Drone> = {}): Drone {
   };
 }
 
-/** What may be done now, unless there is something against it. */
+/** An action that is allowed, unless a reason is given. */
 export function anAction(why: string | null = null): Action {
   return why === null
     ? { allowed: true, why, mode: null }
     : { allowed: false, why, code: 'command-refused', mode: null };
 }
 
-/** What a vehicle holds that was not asked yet. */
+/** The mission of a vehicle that was not read yet. */
 export function aMission(change: Partial<VehicleMission> = {}): VehicleMission {
   return {
     items: null,
@@ -73,8 +73,8 @@ export function aMission(change: Partial<VehicleMission> = {}): VehicleMission {
   };
 }
 
-/** Set to come home when it does not hear the cloud. */
-export function aCloudLoss(change: Partial<WithoutCloud> = {}): WithoutCloud {
+/** Set to come home when it loses the cloud. */
+export function aCloudLoss(change: Partial<CloudLossState> = {}): CloudLossState {
   return {
     state: 'set',
     action: 'it returns home',

@@ -71,7 +71,7 @@ describe('activity', () => {
     ]);
     await screen.findByText(/no. 9/);
     await fireEvent.input(screen.getByLabelText('User'), { target: { value: 'ann' } });
-    await fireEvent.input(screen.getByLabelText('What'), { target: { value: 'land' } });
+    await fireEvent.input(screen.getByLabelText('Operation'), { target: { value: 'land' } });
     await fireEvent.click(screen.getByRole('button', { name: 'Search' }));
     await screen.findByText(/no. 8/);
     await fireEvent.click(screen.getByRole('button', { name: 'Show older' }));
@@ -95,7 +95,7 @@ describe('activity', () => {
     expect(await screen.findByText('Nothing has been done here yet.')).toBeDefined();
     await fireEvent.input(screen.getByLabelText('User'), { target: { value: 'nobody' } });
     await fireEvent.click(screen.getByRole('button', { name: 'Search' }));
-    expect(await screen.findByText('Nothing fits; look for less.')).toBeDefined();
+    expect(await screen.findByText('No records match; widen the filter.')).toBeDefined();
   });
 
   it('says why it cannot be shown', async () => {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Zone } from '../api/zones';
-import { boundsLine, boundsRequest, unbounded } from './key-bounds';
+import { boundsText, boundsRequest, unbounded } from './key-bounds';
 
 const POINT = { type: 'Point' as const, coordinates: [8.5, 47.4] };
 
@@ -45,22 +45,22 @@ describe('the bounds of a key', () => {
     );
   });
 
-  it('are told in a few words', () => {
+  it('are shown in a few words', () => {
     const none = { area: null, floor: null, ceiling: null, altitudeReference: null };
 
-    expect(boundsLine(none)).toBe('');
+    expect(boundsText(none)).toBe('');
     expect(
-      boundsLine({ ...none, area: { ...POINT, radius: 300 }, ceiling: 50, altitudeReference: 'home' }),
+      boundsText({ ...none, area: { ...POINT, radius: 300 }, ceiling: 50, altitudeReference: 'home' }),
     ).toBe('within 300 m of a place, up to 50 m above home');
     expect(
-      boundsLine({
+      boundsText({
         area: { type: 'Polygon', coordinates: [] },
         floor: 400,
         ceiling: 500,
         altitudeReference: 'amsl',
       }),
     ).toBe('within an area, 400 to 500 m above sea level');
-    expect(boundsLine({ ...none, floor: 10, altitudeReference: 'home' })).toBe(
+    expect(boundsText({ ...none, floor: 10, altitudeReference: 'home' })).toBe(
       'from 10 m above home upwards',
     );
   });

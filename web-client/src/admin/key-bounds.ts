@@ -1,7 +1,7 @@
 import type { AccessKeyRequest, KeyArea, KeyBounds } from '../api/access-keys';
 import type { Zone } from '../api/zones';
 
-/** What the form says of where and how high. `area`: nothing, the id of a zone, or GeoJSON that was pasted. */
+/** The bounds in the form. `area`: nothing, the id of a zone, or GeoJSON that was pasted. */
 export interface BoundsDraft {
   from: 'everywhere' | 'zone' | 'text';
   zone: string;
@@ -78,8 +78,8 @@ function isObject(value: unknown): value is Record<string, unknown> {
   return typeof value === 'object' && value !== null;
 }
 
-/** Where and how high a key lets fly, in a few words; empty when everywhere. */
-export function boundsLine({ area, floor, ceiling, altitudeReference }: KeyBounds): string {
+/** The bounds of a key in a few words; empty when it has none. */
+export function boundsText({ area, floor, ceiling, altitudeReference }: KeyBounds): string {
   const parts: string[] = [];
   if (area !== null) {
     parts.push(area.type === 'Point' ? `within ${area.radius ?? 0} m of a place` : 'within an area');

@@ -42,7 +42,7 @@ describe('the administration', () => {
     await fireEvent.click(users.getByRole('button', { name: 'Add user' }));
 
     await users.findByText('carol', { selector: 'strong' });
-    const grants = within(screen.getByRole('region', { name: 'Who may see what' }));
+    const grants = within(screen.getByRole('region', { name: 'Grants' }));
     expect(await grants.findByRole('option', { name: 'carol' })).toBeDefined();
     const groups = within(screen.getByRole('region', { name: 'Groups' }));
     expect(groups.getByRole('checkbox', { name: 'carol' })).toBeDefined();

@@ -25,9 +25,9 @@ describe('users', () => {
     const change = vi.spyOn(station.rest.accounts, 'change').mockResolvedValue(user('carol'));
     await screen.findByText('carol', { selector: 'strong' });
     const [first] = screen.getAllByRole('listitem');
-    expect(first?.textContent).toContain('waits to be let in');
+    expect(first?.textContent).toContain('waits for approval');
 
-    await fireEvent.click(screen.getByRole('button', { name: /Let in/ }));
+    await fireEvent.click(screen.getByRole('button', { name: /Approve/ }));
 
     expect(change).toHaveBeenCalledWith('carol', { state: 'active' });
   });

@@ -3,7 +3,7 @@ import type { KeyView as AccessKey, KeyRequest as AccessKeyRequest, AccessKeys }
 export type { AccessKey, AccessKeyRequest };
 export type { KeyArea } from './contract';
 
-/** What making or renewing a key answers: the key itself is shown this once and never again. */
+/** A new or renewed key: the key itself is shown this once and never again. */
 export type NewAccessKey = AccessKey & { key: string };
 
 export type KeyOperation = AccessKey['operations'][number];

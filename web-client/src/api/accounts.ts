@@ -10,17 +10,17 @@ import type {
   UserView as User,
   UserChange,
   Users,
-  RegistrationPolicy as WaysIn,
+  RegistrationPolicy as RegistrationOptions,
 } from './contract';
 
-export type { Invitation, NewUser, OneTimePassword, Registered, Session, User, WaysIn };
+export type { Invitation, NewUser, OneTimePassword, Registered, Session, User, RegistrationOptions };
 
 export type Role = Session['role'];
 
-/** What making an invitation answers: the code is shown this once and never again. */
+/** A new invitation: its code is shown this once and never again. */
 export type NewInvitation = Invitation & { code: string };
 
-export type RegistrationPolicy = WaysIn['policy'];
+export type RegistrationPolicy = RegistrationOptions['policy'];
 
 /** Least first; each may do all that the ones before it may. */
 export const ROLES: readonly Role[] = [
@@ -45,7 +45,7 @@ export function mayAct(role: Role | undefined, needed: Role): boolean {
   return role !== undefined && ROLES.indexOf(role) >= ROLES.indexOf(needed);
 }
 
-/** Where a browser goes to sign in with the provider. */
+/** The address to sign in with the provider. */
 export const PROVIDER_ADDRESS = '/api/v1/session/oidc';
 
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
@@ -104,7 +104,7 @@ export class AccountCalls {
     return this.#call('DELETE', `/invitations/${encodeURIComponent(id)}`);
   }
 
-  waysIn(): Promise<WaysIn> {
+  registrationOptions(): Promise<RegistrationOptions> {
     return this.#call('GET', '/registrations');
   }
 

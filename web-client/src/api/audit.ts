@@ -17,7 +17,7 @@ export interface AuditSearch {
 
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
 
-/** The calls about what was done by whom. */
+/** The calls about audit records. */
 export class AuditCalls {
   readonly #call: Call;
   readonly #base: string;
@@ -36,7 +36,7 @@ export class AuditCalls {
     return this.#call('GET', `/audit?${wanted}`);
   }
 
-  /** Where the browser downloads all that fit from. */
+  /** The address to download all matching records from. */
   fileAddress(search: AuditSearch, form: 'csv' | 'jsonl'): string {
     const wanted = parameters(search);
     wanted.set('form', form);

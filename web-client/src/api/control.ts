@@ -4,12 +4,12 @@ export type { Control };
 export type {
   ControlAskedView as ControlRequest,
   OutlookView as Outlook,
-  DroneCloudLossView as WithoutCloud,
+  DroneCloudLossView as CloudLossState,
 } from './contract';
 
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
 
-/** The calls around control of a drone; each answers with how it is then. */
+/** The calls about control of a drone; each returns the new state of the lease. */
 export class ControlCalls {
   readonly #call: Call;
 

@@ -80,7 +80,7 @@ export class FlightCalls {
     return (await this.#call<Events>('GET', path)).events;
   }
 
-  /** Where the browser downloads the track from. */
+  /** The address to download the track from. */
   fileAddress(id: string, form: TrackForm): string {
     return `${this.#base}/flights/${encodeURIComponent(id)}/telemetry/file?form=${form}`;
   }

@@ -14,7 +14,7 @@ export type { FollowOtherView as FollowOther } from './contract';
 
 export type FollowStage = Follow['state'];
 
-/** What the page reads of an answer to positions. */
+/** The part of an answer to positions that the page reads. */
 export type Receipt = Pick<FollowReceipt, 'upTo'>;
 
 export type FollowSide = FollowPlace['side'];
@@ -28,7 +28,7 @@ type Call = <T>(method: string, path: string, body?: unknown, longest?: number) 
 /** A phone between two cells answers nothing for long; by then newer positions wait. */
 export const ANSWER_MILLISECONDS = 4_000;
 
-/** The calls around follows; each wish answers with how the follow stands then. */
+/** The calls about follows; each action returns the new state of the follow. */
 export class FollowCalls {
   readonly #call: Call;
 
@@ -56,12 +56,12 @@ export class FollowCalls {
     return this.#call('POST', path(id, 'positions'), positions, ANSWER_MILLISECONDS);
   }
 
-  wish(id: string, wish: FollowWish): Promise<Follow> {
-    return this.#call('POST', path(id, wish));
+  act(id: string, action: FollowAction): Promise<Follow> {
+    return this.#call('POST', path(id, action));
   }
 }
 
-export type FollowWish = 'start' | 'cancel' | 'pause' | 'continue' | 'stop';
+export type FollowAction = 'start' | 'cancel' | 'pause' | 'continue' | 'stop';
 
 function path(...parts: string[]): string {
   return ['/follows', ...parts.map(encodeURIComponent)].join('/');

@@ -14,7 +14,7 @@ import type {
 
 export type { Fleet, Gift, Grant, GrantRequest, Group, Organisation };
 
-/** Whom a grant is for: one of them is null. */
+/** The holder of a grant: one of them is null. */
 export type Subject = Pick<Grant, 'user' | 'group'>;
 
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
@@ -35,7 +35,7 @@ export class GrantCalls {
     return this.#call('POST', '/grants', grant);
   }
 
-  takeBack(id: string): Promise<void> {
+  revoke(id: string): Promise<void> {
     return this.#call('DELETE', `/grants/${encodeURIComponent(id)}`);
   }
 
@@ -86,7 +86,7 @@ export class GrantCalls {
     return this.#call('DELETE', of(id));
   }
 
-  async givenTo(organisation: string): Promise<Gift[]> {
+  async givenDrones(organisation: string): Promise<Gift[]> {
     return (await this.#call<Gifts>('GET', `${of(organisation)}/drones`)).gifts;
   }
 
@@ -94,7 +94,7 @@ export class GrantCalls {
     return this.#call('PUT', `${of(organisation)}/drones/${encodeURIComponent(drone)}`, { histories });
   }
 
-  bringBack(organisation: string, drone: string): Promise<Gift> {
+  reclaimDrone(organisation: string, drone: string): Promise<Gift> {
     return this.#call('DELETE', `${of(organisation)}/drones/${encodeURIComponent(drone)}`);
   }
 }

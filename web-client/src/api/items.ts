@@ -13,7 +13,7 @@ export type MissionItem = Exclude<MissionItemView, { type: 'waypoint' }> | Waypo
 /** One that may be written: not one of those that are only found on a vehicle. */
 export type PlannedItem = Exclude<MissionItem, { type: 'other' }>;
 
-/** What holds items, with their kinds told apart. */
+/** An object that holds items, with their kinds distinguished. */
 export type WithItems<T extends { items: unknown }> = Omit<T, 'items'> & {
   items: MissionItem[] | Extract<T['items'], null>;
 };

@@ -22,7 +22,7 @@ export class OutletCalls {
     return this.#call('GET', '/outlet');
   }
 
-  /** Makes one up; this is the only time that it is told. */
+  /** Creates a passphrase; it is returned this once. */
   async newPassphrase(): Promise<string> {
     return (await this.#call<PassphraseView>('PUT', '/outlet/passphrase', {})).passphrase;
   }

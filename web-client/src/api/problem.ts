@@ -7,7 +7,7 @@ export class Problem extends Error {
   readonly allowed: string | null;
   readonly commandId: string | null;
   readonly type: string;
-  /** Why exactly, for programs; empty where no problem was told. */
+  /** Why exactly, for programs; empty without a problem. */
   readonly code: string;
 
   constructor(body: ProblemBody) {

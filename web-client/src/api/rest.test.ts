@@ -23,7 +23,7 @@ describe('REST client', () => {
     await client.follows.positions('f1', { sent: '2026-01-01T12:00:00Z', positions: [] });
     const [, soon] = fetcher.mock.calls[0] as [string, RequestInit];
     expect(soon.signal).toBeInstanceOf(AbortSignal);
-    await client.follows.wish('f1', 'stop');
+    await client.follows.act('f1', 'stop');
     const [, patient] = fetcher.mock.calls[1] as [string, RequestInit];
     expect(patient.signal).toBeUndefined();
   });

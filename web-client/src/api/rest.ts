@@ -31,7 +31,7 @@ import { ZoneCalls } from './zones';
 /** `epoch`: of the control that the page believes to have. */
 export type SentCommand = CommandRequest & { id: string; epoch?: number | null };
 
-/** A line that takes longer is none, and one that was cut leaves nobody waiting for it when it is back. */
+/** A connection that takes longer counts as lost, so that nobody waits for it when it is back. */
 const TICKET_MILLISECONDS = 4_000;
 
 type Fetch = (input: string, init?: RequestInit) => Promise<Response>;
@@ -169,12 +169,12 @@ export class RestClient {
     return this.#call('GET', `/drones/${encodeURIComponent(drone)}/parameters`);
   }
 
-  /** Where the browser saves the parameters from: a list for Mission Planner and MAVProxy, a table for QGroundControl. */
+  /** The address to save the parameters from: a list for Mission Planner and MAVProxy, a table for QGroundControl. */
   parameterFileAddress(drone: string, form: 'list' | 'table'): string {
     return `${this.#base}/drones/${encodeURIComponent(drone)}/parameters/file?form=${form}`;
   }
 
-  /** What a file would change; nothing is sent to the vehicle. */
+  /** Compares a file with the vehicle; nothing is sent to it. */
   compareParameterFile(drone: string, file: Blob): Promise<ParameterFile> {
     return this.#call('POST', `/drones/${encodeURIComponent(drone)}/parameters/file?dryRun=true`, file);
   }
@@ -183,12 +183,12 @@ export class RestClient {
     return this.#call('GET', `/recordings?drone=${encodeURIComponent(drone)}`);
   }
 
-  /** Where the browser downloads a recording from. */
+  /** The address to download a recording from. */
   recordingAddress(id: string): string {
     return `${this.#base}/recordings/${encodeURIComponent(id)}/file`;
   }
 
-  /** Where the browser downloads from who sent what in it. */
+  /** The address to download the table of sent messages from. */
   sentAddress(id: string): string {
     return `${this.#base}/recordings/${encodeURIComponent(id)}/sent`;
   }
@@ -229,7 +229,7 @@ export class RestClient {
     return this.#call('GET', `/drones/${encodeURIComponent(droneId)}/sensed`);
   }
 
-  /** Where a browser finds the newest picture of that kind; another address for each one. */
+  /** The address of the newest picture of that kind; another one for each picture. */
   pictureAddress(droneId: string, kind: 'picture' | 'map', number: number): string {
     return `${this.#base}/drones/${encodeURIComponent(droneId)}/sensed/${kind}?number=${number}`;
   }
@@ -246,7 +246,7 @@ export class RestClient {
     return this.#call('DELETE', `/robot-keys/${encodeURIComponent(id)}`);
   }
 
-  /** `longest`: milliseconds until it is given up, for what is asked again and again over a line that may be dead. */
+  /** `longest`: milliseconds until it is given up, for calls that are repeated over a connection that may be dead. */
   async #call<T>(method: string, path: string, body?: unknown, longest?: number): Promise<T> {
     const { response, text } = await this.#send(method, path, body, longest);
     if (!response.ok) {

@@ -37,7 +37,7 @@ export type TaskType = RunTask['type'];
 
 type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
 
-/** The calls around mission runs; each wish answers with how the run stands then. */
+/** The calls around mission runs; each returns the new state of the run. */
 export class RunCalls {
   readonly #call: Call;
 
@@ -90,7 +90,7 @@ export class RunCalls {
     return this.#call('POST', path(id, 'pause'));
   }
 
-  goOn(id: string): Promise<MissionRun> {
+  resumeRun(id: string): Promise<MissionRun> {
     return this.#call('POST', path(id, 'continue'));
   }
 

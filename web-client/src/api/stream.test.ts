@@ -57,7 +57,7 @@ class FakeSocket implements Socket {
     this.code = code;
   }
 
-  say(message: StreamMessage | string): void {
+  push(message: StreamMessage | string): void {
     const data = typeof message === 'string' ? message : JSON.stringify(message);
     this.onmessage?.(new MessageEvent('message', { data }));
   }
@@ -78,7 +78,7 @@ const PING: StreamMessage = { type: 'ping', at: '2026-01-01T12:00:00Z' };
 describe('stream client', () => {
   let timers: FakeTimers;
   let sockets: FakeSocket[];
-  let told: string[];
+  let events: string[];
   let retryAt: number;
   let address: () => Promise<string | null>;
   let client: StreamClient;
@@ -86,7 +86,7 @@ describe('stream client', () => {
   beforeEach(async () => {
     timers = new FakeTimers();
     sockets = [];
-    told = [];
+    events = [];
     address = async () => 'ws://cloud/stream?ticket=1';
     client = new StreamClient(
       {
@@ -99,11 +99,11 @@ describe('stream client', () => {
         timers,
       },
       {
-        onMessage: (message) => told.push(message.type),
-        onUp: () => told.push('UP'),
-        onDown: () => told.push('DOWN'),
+        onMessage: (message) => events.push(message.type),
+        onUp: () => events.push('UP'),
+        onDown: () => events.push('DOWN'),
         onRetryAt: (at) => (retryAt = at),
-        onUnauthorized: () => told.push('UNAUTHORIZED'),
+        onUnauthorized: () => events.push('UNAUTHORIZED'),
       },
     );
     client.start();
@@ -113,15 +113,15 @@ describe('stream client', () => {
   const last = (): FakeSocket => sockets.at(-1) as FakeSocket;
 
   it('is up with the first message, not with the open socket', () => {
-    expect(told).toEqual([]);
-    last().say(PING);
-    expect(told).toEqual(['UP', 'ping']);
+    expect(events).toEqual([]);
+    last().push(PING);
+    expect(events).toEqual(['UP', 'ping']);
   });
 
   it('says once that it went down and tries again with growing pauses', async () => {
-    last().say(PING);
+    last().push(PING);
     last().drop();
-    expect(told.slice(2)).toEqual(['DOWN']);
+    expect(events.slice(2)).toEqual(['DOWN']);
     const pauses = [];
     for (let i = 0; i < 6; i++) {
       pauses.push(retryAt - timers.time);
@@ -129,40 +129,40 @@ describe('stream client', () => {
       last().drop();
     }
     expect(pauses).toEqual([500, 1000, 2000, 3000, 3000, 3000]);
-    expect(told.slice(2)).toEqual(['DOWN']);
+    expect(events.slice(2)).toEqual(['DOWN']);
   });
 
   it('comes back by itself and starts with short pauses again', async () => {
-    last().say(PING);
+    last().push(PING);
     last().drop();
     await timers.advance(500);
-    last().say(PING);
-    expect(told.slice(2)).toEqual(['DOWN', 'UP', 'ping']);
+    last().push(PING);
+    expect(events.slice(2)).toEqual(['DOWN', 'UP', 'ping']);
     last().drop();
     expect(retryAt - timers.time).toBe(500);
   });
 
-  it('says within three seconds that a line fell silent, and keeps it', async () => {
-    last().say(PING);
+  it('reports within three seconds that the connection fell silent, and keeps it', async () => {
+    last().push(PING);
     await timers.advance(QUIET_MILLISECONDS - 1);
-    expect(told).not.toContain('DOWN');
+    expect(events).not.toContain('DOWN');
     await timers.advance(1);
     expect(QUIET_MILLISECONDS).toBeLessThan(3_000);
-    expect(told.slice(2)).toEqual(['DOWN']);
+    expect(events.slice(2)).toEqual(['DOWN']);
     expect(last().closed).toBe(false);
-    expect(client.say({ type: 'letGo', requestId: 'r', drone: 'd1' })).toBe(false);
+    expect(client.send({ type: 'letGo', requestId: 'r', drone: 'd1' })).toBe(false);
   });
 
   it('is back at once when a silent line speaks again', async () => {
-    last().say(PING);
+    last().push(PING);
     await timers.advance(DEAD_MILLISECONDS - 1);
-    last().say(PING);
-    expect(told.slice(2)).toEqual(['DOWN', 'UP', 'ping']);
+    last().push(PING);
+    expect(events.slice(2)).toEqual(['DOWN', 'UP', 'ping']);
     expect(sockets).toHaveLength(1);
   });
 
-  it('takes a line for dead that stays silent', async () => {
-    last().say(PING);
+  it('gives up a connection that stays silent', async () => {
+    last().push(PING);
     const silent = last();
     await timers.advance(DEAD_MILLISECONDS - 1);
     expect(silent.closed).toBe(false);
@@ -170,43 +170,43 @@ describe('stream client', () => {
     expect(silent.closed).toBe(true);
     // The cloud takes a page for closed that ends its connection without saying so.
     expect(silent.code).toBe(CONNECTS_ANEW);
-    expect(told.filter((what) => what === 'DOWN')).toHaveLength(1);
+    expect(events.filter((what) => what === 'DOWN')).toHaveLength(1);
   });
 
-  it('has more patience each time with a line that begins and never gets to the end of the list', async () => {
+  it('waits longer each time for a connection that never gets to the end of the list', async () => {
     for (const patience of [1, 2, 4, 4].map((times) => times * DEAD_MILLISECONDS)) {
       const slow = last();
-      slow.say({ type: 'hello', user: 'olga', role: 'operator' });
+      slow.push({ type: 'hello', user: 'olga', role: 'operator' });
       await timers.advance(patience - 1);
       expect(slow.closed).toBe(false);
       await timers.advance(1);
       expect(slow.closed).toBe(true);
       await timers.advance(retryAt - timers.time);
     }
-    last().say(PING);
+    last().push(PING);
     const quick = last();
     await timers.advance(DEAD_MILLISECONDS);
     expect(quick.closed).toBe(true);
   });
 
   it('reads first what came while the page itself stood still', async () => {
-    last().say(PING);
+    last().push(PING);
     const slept = last();
     timers.time += DEAD_MILLISECONDS + 5_000;
     await timers.advance(0);
-    expect(told).not.toContain('DOWN');
-    slept.say(PING);
+    expect(events).not.toContain('DOWN');
+    slept.push(PING);
     await timers.advance(QUIET_MILLISECONDS - 1);
-    expect(told).not.toContain('DOWN');
+    expect(events).not.toContain('DOWN');
     timers.time += 5_000;
     await timers.advance(500);
-    expect(told).toContain('DOWN');
+    expect(events).toContain('DOWN');
     await timers.advance(DEAD_MILLISECONDS - QUIET_MILLISECONDS);
     expect(slept.closed).toBe(true);
   });
 
   it('goes down when no ticket can be had', async () => {
-    last().say(PING);
+    last().push(PING);
     address = () => Promise.reject(new Error('unreachable'));
     last().drop();
     await timers.advance(500);
@@ -215,16 +215,16 @@ describe('stream client', () => {
   });
 
   it('stops and says so when nobody is signed in any more', async () => {
-    last().say(PING);
+    last().push(PING);
     address = async () => null;
     last().drop();
     await timers.advance(60_000);
-    expect(told.at(-1)).toBe('UNAUTHORIZED');
+    expect(events.at(-1)).toBe('UNAUTHORIZED');
     expect(sockets).toHaveLength(1);
   });
 
-  it('can be told to try now', async () => {
-    last().say(PING);
+  it('can be asked to try now', async () => {
+    last().push(PING);
     last().drop();
     client.retryNow();
     await settle();
@@ -233,26 +233,26 @@ describe('stream client', () => {
 
   it('ignores what an old socket says after a reconnect', async () => {
     const old = last();
-    old.say(PING);
+    old.push(PING);
     const { onmessage } = old;
     old.drop();
     await timers.advance(500);
-    const before = told.length;
+    const before = events.length;
     onmessage?.(new MessageEvent('message', { data: JSON.stringify(PING) }));
-    expect(told).toHaveLength(before);
+    expect(events).toHaveLength(before);
   });
 
   it('skips a message that is no JSON', () => {
-    last().say('garbage');
-    last().say(PING);
-    expect(told).toEqual(['UP', 'ping']);
+    last().push('garbage');
+    last().push(PING);
+    expect(events).toEqual(['UP', 'ping']);
   });
 
   it('is quiet after it was stopped', async () => {
-    last().say(PING);
+    last().push(PING);
     client.stop();
     await timers.advance(60_000);
     expect(sockets).toHaveLength(1);
-    expect(told).toEqual(['UP', 'ping']);
+    expect(events).toEqual(['UP', 'ping']);
   });
 });

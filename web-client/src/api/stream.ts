@@ -34,7 +34,7 @@ export const browserTimers: Timers = {
   },
 };
 
-/** Where a page opens its stream: at the host that it was loaded from. */
+/** The address of the stream: at the host that the page was loaded from. */
 export function streamAddress(
   { protocol, hostname }: Pick<Location, 'protocol' | 'hostname'>,
   port: number,
@@ -51,23 +51,23 @@ export interface StreamOptions {
   timers: Timers;
 }
 
-/** The server says something once a second: so long without a word, and what is shown is old. */
+/** The server sends a message at least once a second: after so long without one, what is shown is old. */
 export const QUIET_MILLISECONDS = 2_500;
-/** So long without a word, and another connection is made; longer each time, for lines on which the first list takes long. */
+/** After so long without a message another connection is made; longer each time, for links on which the first list takes long. */
 export const DEAD_MILLISECONDS = 5_000;
 const LONGEST_DEAD_MILLISECONDS = 20_000;
 /** A timer that is so much late was held up by the page. */
 const LATE_MILLISECONDS = 1_000;
-/** So long a page that goes on has for what waits. */
+/** The time in which a resumed page reads what waits. */
 const READS_MILLISECONDS = 500;
-/** Tells the cloud that this page goes on: it only gives up a connection that seems dead. */
+/** The close code of a page that reconnects: it only gives up a connection that seems dead. */
 export const CONNECTS_ANEW = 4000;
 const FIRST_RETRY_MILLISECONDS = 500;
 const LONGEST_RETRY_MILLISECONDS = 3_000;
 
 /**
- * Keeps one stream to the cloud open: says soon that a line fell silent, takes it up again when it speaks, and reconnects
- * with growing pauses when it does not.
+ * Keeps one stream to the cloud open: reports soon that it fell silent, and reconnects with growing pauses
+ * when no message comes.
  */
 export class StreamClient {
   readonly #options: StreamOptions;
@@ -77,7 +77,7 @@ export class StreamClient {
   #generation = 0;
   #up = false;
   #down = false;
-  #patience = DEAD_MILLISECONDS;
+  #deadAfter = DEAD_MILLISECONDS;
   #cancelTimer: () => void = () => undefined;
 
   constructor(options: StreamOptions, listener: StreamListener) {
@@ -96,8 +96,8 @@ export class StreamClient {
     this.#down = false;
   }
 
-  /** False when the line is down: what is said many times a second is not kept for later. */
-  say(request: StreamRequest): boolean {
+  /** False without a connection: what is sent many times a second is not kept for later. */
+  send(request: StreamRequest): boolean {
     if (!this.#up || this.#socket === null) {
       return false;
     }
@@ -168,7 +168,7 @@ export class StreamClient {
     }
     if (message.type === 'ping') {
       // All that was to be said before it has come.
-      this.#patience = DEAD_MILLISECONDS;
+      this.#deadAfter = DEAD_MILLISECONDS;
     }
     this.#listener.onMessage(message);
   }
@@ -176,8 +176,8 @@ export class StreamClient {
   #watchSilence(): void {
     this.#after(QUIET_MILLISECONDS, () => {
       this.#goDown();
-      this.#after(this.#patience - QUIET_MILLISECONDS, () => {
-        this.#patience = Math.min(LONGEST_DEAD_MILLISECONDS, this.#patience * 2);
+      this.#after(this.#deadAfter - QUIET_MILLISECONDS, () => {
+        this.#deadAfter = Math.min(LONGEST_DEAD_MILLISECONDS, this.#deadAfter * 2);
         this.#fail();
       });
     });

@@ -5,7 +5,7 @@
 
 import type { PlannedItem, WithItems } from './items';
 import type { MissionRun } from './runs';
-import type { StreamMessage as Said } from './stream-contract';
+import type { StreamMessage as ServerMessage } from './stream-contract';
 import type { VirtualDrone } from './virtual';
 import type { Zone } from './zones';
 import type {
@@ -50,7 +50,7 @@ export type CommandResult = Outcome['result'];
 
 export type CommandKind = Command['type'];
 
-/** What a vehicle on a mission does by itself when it no longer hears the cloud. */
+/** The failsafe of a vehicle on a mission when it loses the cloud. */
 export type CloudLoss = NonNullable<StartMissionCommand['onCloudLoss']>;
 
 export type RelaySetting = SetRelayCommand['setting'];
@@ -65,7 +65,7 @@ export type Drone = Omit<DroneView, 'mission' | 'actions'> & {
   actions: Partial<Record<CommandKind | 'velocity' | 'forceDisarm', Action>>;
 };
 
-/** What a drone is asked for; the items of a mission as the page has them. */
+/** A command to a drone; the items of a mission as the page has them. */
 export type CommandRequest =
   Exclude<Request, { type: 'uploadMission' }> | { type: 'uploadMission'; items: PlannedItem[] };
 
@@ -87,8 +87,8 @@ export interface ProblemBody {
   commandId?: string;
 }
 
-/** What the page knows in a closer form than the description of the stream has it. */
-interface Closer {
+/** Types that are narrower on the page than in the description of the stream. */
+interface NarrowedMembers {
   drone: Drone;
   drones: Drone[];
   zone: Zone;
@@ -97,10 +97,16 @@ interface Closer {
   problem: ProblemBody;
 }
 
-type Read<M> = M extends unknown
-  ? { [N in keyof M]: N extends keyof Closer ? (M[N] extends string ? M[N] : Closer[N]) : M[N] }
+type Narrowed<M> = M extends unknown
+  ? {
+      [N in keyof M]: N extends keyof NarrowedMembers
+        ? M[N] extends string
+          ? M[N]
+          : NarrowedMembers[N]
+        : M[N];
+    }
   : never;
 
-export type StreamMessage = Read<Said>;
+export type StreamMessage = Narrowed<ServerMessage>;
 
 export type { StreamRequest } from './stream-contract';

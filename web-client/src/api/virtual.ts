@@ -55,11 +55,11 @@ export class VirtualCalls {
     return this.#call('DELETE', one(id));
   }
 
-  async warehouse(): Promise<DroneName[]> {
+  async pool(): Promise<DroneName[]> {
     return (await this.#call<WarehouseView>('GET', '/warehouse')).drones;
   }
 
-  /** What would follow if that drone were in the warehouse and nobody had control of it. Changes nothing. */
+  /** The flights that would follow if that drone were in the pool and nobody had control of it. Changes nothing. */
   prospects(drone: string): Promise<Prospects> {
     return this.#call('GET', `/warehouse/${encodeURIComponent(drone)}/prospects`);
   }

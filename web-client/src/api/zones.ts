@@ -40,7 +40,7 @@ export class ZoneCalls {
   }
 
   /** All zones of a GeoJSON file, or none. */
-  async take(file: Blob): Promise<Zone[]> {
+  async importFile(file: Blob): Promise<Zone[]> {
     return (await this.#call<{ features: Zone[] }>('POST', '/zones/import', file)).features;
   }
 
@@ -54,7 +54,7 @@ export class ZoneCalls {
     return this.#call('POST', `/drones/${encodeURIComponent(drone)}/fence/refresh`);
   }
 
-  /** How many areas the vehicle keeps itself; null: it was not asked yet. */
+  /** The number of areas in the fence of the vehicle; null: it was not read yet. */
   async onBoard(drone: string): Promise<number | null> {
     const fence = await this.#call<FenceView>('GET', `/drones/${encodeURIComponent(drone)}/fence`);
     return fence.zones?.length ?? null;

@@ -5,14 +5,7 @@ import { STATION, Station } from '../state/station.svelte';
 import { aDrone, anOutlook } from '../testing';
 import { minuteOfDay } from '../ui/format';
 import FleetRow from './FleetRow.svelte';
-import {
-  batteryWords,
-  countdownOf,
-  landingWords,
-  landsElsewhere,
-  noticeOf,
-  spokenCountdown,
-} from './outlook';
+import { batteryText, countdownOf, landingText, landsElsewhere, noticeOf, spokenCountdown } from './outlook';
 
 const NOON = Date.parse('2026-01-01T12:00:00Z');
 
@@ -28,15 +21,15 @@ describe('what becomes of a drone', () => {
     expect(countdownOf(flying({ comesDown: 'where it is' }), NOON)?.words).toBe('Brought down in 12 s');
     const circles = flying({ comesDown: null, latitude: null, longitude: null });
     expect(countdownOf(circles, NOON)?.words).toBe('Brought home in 12 s');
-    expect(noticeOf(circles, null)?.words).toBe('Nobody’s · home');
-    expect(landingWords(circles)).toBeNull();
+    expect(noticeOf(circles, null)?.words).toBe('No control · home');
+    expect(landingText(circles)).toBeNull();
   });
 
-  it('counts nothing where somebody has it, on the ground, or without a line', () => {
+  it('counts nothing where somebody has it, on the ground, or without a connection', () => {
     expect(countdownOf(flying({ returnsAt: null }), NOON)).toBeNull();
     expect(countdownOf(aDrone(), NOON)).toBeNull();
     expect(countdownOf(flying(), null)).toBeNull();
-    expect(noticeOf(flying(), null)?.words).toBe('Nobody’s · home');
+    expect(noticeOf(flying(), null)?.words).toBe('No control · home');
   });
 
   it('speaks every ten seconds', () => {
@@ -59,10 +52,10 @@ describe('what becomes of a drone', () => {
       longitude: null,
       returnsAt: null,
     });
-    expect(countdownOf(helpless, NOON)).toEqual({ words: 'No safe way down is known', tone: 'red' });
-    expect(noticeOf(helpless, null)?.words).toBe('Nobody’s · no safe way down');
-    expect(spokenCountdown(helpless, NOON)).toBe('No safe way down is known: take control of it.');
-    expect(landingWords(helpless)).toBeNull();
+    expect(countdownOf(helpless, NOON)).toEqual({ words: 'No safe landing place known', tone: 'red' });
+    expect(noticeOf(helpless, null)?.words).toBe('No control · no safe landing');
+    expect(spokenCountdown(helpless, NOON)).toBe('No safe landing place known: take control of it.');
+    expect(landingText(helpless)).toBeNull();
   });
 
   it('is no alarm where somebody has it, or where it is not for this cloud to bring down', () => {
@@ -72,21 +65,21 @@ describe('what becomes of a drone', () => {
     expect(landsElsewhere(flying(nowhere))).toBeNull();
   });
 
-  it('tells how far away it comes down, but not of a place where it is', () => {
-    expect(landingWords(flying())).toBe('home, 500 m away');
-    expect(landingWords(flying({ latitude: 47.39771, comesDown: 'where it is' }))).toBe('where it is');
-    expect(landingWords(flying({ latitude: null, longitude: null }))).toBe('home');
-    expect(landingWords({ ...flying(), position: null })).toBe('home');
+  it('shows how far away it comes down, but not of a place where it is', () => {
+    expect(landingText(flying())).toBe('home, 500 m away');
+    expect(landingText(flying({ latitude: 47.39771, comesDown: 'where it is' }))).toBe('where it is');
+    expect(landingText(flying({ latitude: null, longitude: null }))).toBe('home');
+    expect(landingText({ ...flying(), position: null })).toBe('home');
     expect(landsElsewhere(flying())).toEqual({ latitude: 47.4022, longitude: 8.5456 });
     expect(landsElsewhere(flying({ latitude: 47.39771 }))).toBeNull();
   });
 
-  it('tells until when its battery lasts, in the time of day and in minutes', () => {
+  it('shows until when its battery lasts, in the time of day and in minutes', () => {
     const at = minuteOfDay('2026-01-01T12:32:00Z');
     expect(at).not.toMatch(/:\d\d:/);
-    expect(batteryWords(anOutlook(), NOON)).toBe(`until about ${at} (32 min)`);
-    expect(batteryWords(anOutlook(), NOON + 31.5 * 60_000)).toBe(`until about ${at} (less than 1 min)`);
-    expect(batteryWords(anOutlook({ emptyAt: null }), NOON)).toBeNull();
+    expect(batteryText(anOutlook(), NOON)).toBe(`until about ${at} (32 min)`);
+    expect(batteryText(anOutlook(), NOON + 31.5 * 60_000)).toBe(`until about ${at} (less than 1 min)`);
+    expect(batteryText(anOutlook({ emptyAt: null }), NOON)).toBeNull();
   });
 
   it('marks a row by words', async () => {
@@ -95,7 +88,7 @@ describe('what becomes of a drone', () => {
     station.clock.now = NOON;
     const props = { drone: flying(), selected: false, onselect: () => undefined };
     const { rerender } = render(FleetRow, { props, context: new Map([[STATION, station]]) });
-    expect(screen.getByText('Nobody’s · home in 12 s').className).toContain('amber');
+    expect(screen.getByText('No control · home in 12 s').className).toContain('amber');
     expect(screen.queryByText(/Multicopter/)).toBeNull();
 
     await rerender({ drone: flying({ returnsAt: null }) });

@@ -7,19 +7,19 @@ import { placeOf } from './place';
 
 /** Nearer than this it comes down where it is. */
 const ELSEWHERE_METERS = 5;
-/** Whoever listens to the page is told so often how long there is left. */
+/** The time left is announced to screen readers so often. */
 const SPOKEN_SECONDS = 10;
 
-/** Something that wants somebody: a drone in the air that nobody has. */
+/** A notice of a drone in the air that nobody has control of. */
 export interface Notice {
   words: string;
   tone: 'amber' | 'red';
 }
 
-/** Where a drone would be brought down. */
+/** The place where a drone would be brought down. */
 export interface Landing {
   place: Coordinates;
-  /** From where it is; null: not known. */
+  /** From the position of the drone; null: unknown. */
   meters: number | null;
 }
 
@@ -33,14 +33,14 @@ export function landingOf(drone: Drone | null): Landing | null {
   return { place, meters: here === null ? null : distanceMeters(here, place) };
 }
 
-/** Where it would come down, as far as that is somewhere else. */
+/** The place where it would come down, where that is not below it. */
 export function landsElsewhere(drone: Drone | null): Coordinates | null {
   const landing = landingOf(drone);
   return landing !== null && (landing.meters ?? 0) > ELSEWHERE_METERS ? landing.place : null;
 }
 
 /** "home, 320 m away"; null: nowhere that is known. */
-export function landingWords(drone: Drone): string | null {
+export function landingText(drone: Drone): string | null {
   const { outlook } = drone;
   if (!outlook?.comesDown) {
     return null;
@@ -49,8 +49,8 @@ export function landingWords(drone: Drone): string | null {
   return meters > ELSEWHERE_METERS ? `${outlook.comesDown}, ${distance(meters)} away` : outlook.comesDown;
 }
 
-/** "until about 14:32 (11 min)"; null: not known. */
-export function batteryWords({ emptyAt }: Outlook, now: number): string | null {
+/** "until about 14:32 (11 min)"; null: unknown. */
+export function batteryText({ emptyAt }: Outlook, now: number): string | null {
   if (emptyAt === null) {
     return null;
   }
@@ -59,8 +59,8 @@ export function batteryWords({ emptyAt }: Outlook, now: number): string | null {
 }
 
 /**
- * What comes of a drone that nobody has, as it is counted down; null: somebody has it, or nothing comes of it. `now`: the
- * cloud's time; null: there is no line to it, so that nothing can be counted.
+ * The countdown until a drone without control is brought home or down; null: somebody has control, or nothing is due. `now`:
+ * the cloud's time; null: there is no connection, so that nothing can be counted down.
  */
 export function countdownOf(drone: Drone, now: number | null): Notice | null {
   const { outlook } = drone;
@@ -68,12 +68,12 @@ export function countdownOf(drone: Drone, now: number | null): Notice | null {
     return null;
   }
   if (outlook.state === 'helpless') {
-    return { words: 'No safe way down is known', tone: 'red' };
+    return { words: 'No safe landing place known', tone: 'red' };
   }
   if (outlook.returnsAt === null || now === null) {
     return null;
   }
-  return { words: `${broughtWhere(outlook)} ${inSeconds(secondsTo(outlook.returnsAt, now))}`, tone: 'amber' };
+  return { words: `${returnText(outlook)} ${inSeconds(secondsTo(outlook.returnsAt, now))}`, tone: 'amber' };
 }
 
 /** The same for the ear: it changes every ten seconds. */
@@ -88,31 +88,31 @@ export function spokenCountdown(drone: Drone, now: number | null): string {
   }
   const seconds = Math.ceil(secondsTo(outlook.returnsAt, now) / SPOKEN_SECONDS) * SPOKEN_SECONDS;
   return seconds === 0
-    ? `${broughtWhere(outlook)} now.`
-    : `${broughtWhere(outlook)} within ${span(seconds)} unless somebody takes control.`;
+    ? `${returnText(outlook)} now.`
+    : `${returnText(outlook)} within ${span(seconds)} unless somebody takes control.`;
 }
 
-/** What marks a drone in the list; null: somebody has it. */
+/** The notice in the list of drones; null: somebody has control. */
 export function noticeOf(drone: Drone, now: number | null): Notice | null {
   const { outlook } = drone;
   const counted = countdownOf(drone, now);
   if (counted?.tone === 'red') {
-    return { ...counted, words: 'Nobody’s · no safe way down' };
+    return { ...counted, words: 'No control · no safe landing' };
   }
   if (!outlook?.returnsAt) {
     return null;
   }
-  const where = goesHome(outlook) ? 'home' : 'down';
+  const where = returnsHome(outlook) ? 'home' : 'down';
   const when = now === null ? '' : ` ${inSeconds(secondsTo(outlook.returnsAt, now))}`;
-  return { words: `Nobody’s · ${where}${when}`, tone: 'amber' };
+  return { words: `No control · ${where}${when}`, tone: 'amber' };
 }
 
-function broughtWhere(outlook: Outlook): string {
-  return goesHome(outlook) ? 'Brought home' : 'Brought down';
+function returnText(outlook: Outlook): string {
+  return returnsHome(outlook) ? 'Brought home' : 'Brought down';
 }
 
 /** Also one that would circle there: it comes down nowhere. */
-function goesHome({ comesDown }: Outlook): boolean {
+function returnsHome({ comesDown }: Outlook): boolean {
   return comesDown === 'home' || comesDown === null;
 }
 

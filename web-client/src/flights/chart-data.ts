@@ -39,7 +39,7 @@ function shown(name: string, value: number | null): number | null {
   return value !== null && SHARES.has(name) ? value * 100 : value;
 }
 
-/** What lies nearer to where the line comes from is drawn first, so that a steady descent is no saw. */
+/** The value nearer to the previous one is drawn first, so that a steady descent has no teeth. */
 function inOrder(
   before: number | null,
   least: number | null,
@@ -82,7 +82,7 @@ const TITLES: Record<string, string> = {
   longitude: 'Longitude',
 };
 
-/** What can be drawn, by name. */
+/** The names of all fields that can be drawn. */
 export const CHART_FIELDS = Object.keys(TITLES);
 export const USUAL_FIELDS = ['altitudeAboveHome', 'groundSpeed', 'batteryPercent', 'lossShort'];
 

@@ -3,7 +3,7 @@ import type { TrackPoint } from '../api/flights';
 /** Further apart than this nothing is known of what lies between. */
 const LONGEST_GAP_MILLISECONDS = 15_000;
 
-/** Where a drone was at one moment, and what else was known then. */
+/** The state of a drone at one moment. */
 export interface Moment {
   longitude: number;
   latitude: number;
@@ -16,7 +16,7 @@ export interface Moment {
 
 type Placed = TrackPoint & { latitude: number; longitude: number };
 
-/** The way of one drone over time, to be looked at at any moment. */
+/** The track of one drone, with its state at any moment. */
 export class Track {
   readonly #points: Placed[];
   readonly #times: number[];

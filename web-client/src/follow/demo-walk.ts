@@ -12,7 +12,7 @@ export const TRACK: readonly { east: number; north: number }[] = track.map(([eas
   north: north / 10,
 }));
 
-/** Where a recorded walk that begins at a place is after so many seconds; it goes round and round. */
+/** The position of the recorded walk after so many seconds, from a given begin; it repeats endlessly. */
 export function demoFix(begin: Coordinates, seconds: number, at: number): Fix {
   const index = Math.floor(seconds) % (TRACK.length - 1);
   const here = TRACK[index] as (typeof TRACK)[number];
@@ -38,13 +38,13 @@ export class DemoWalk implements TargetSource {
 
   start(listener: SourceListener): () => void {
     const began = Date.now();
-    const say = (): void => {
+    const emit = (): void => {
       const now = Date.now();
       listener.onFix(demoFix(this.#begin, (now - began) / SECOND, now));
     };
     listener.onLocating('on');
-    say();
-    const handle = setInterval(say, SECOND);
+    emit();
+    const handle = setInterval(emit, SECOND);
     return () => clearInterval(handle);
   }
 }

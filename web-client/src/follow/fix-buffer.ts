@@ -1,13 +1,13 @@
 import type { Fix } from './fix';
 
-/** As many as the cloud takes at once. */
+/** As many as the cloud accepts at once. */
 export const MOST_FIXES = 60;
 /**
  * Fixes that wait to be sent. Policy: the newest 60, about a minute; when there is no room the oldest goes, counted. One
- * leaves when the cloud has dealt with it, so that what a bad line lost is said again.
+ * is removed when the cloud has acknowledged it, so that what was lost is sent again.
  */
 export class FixBuffer {
-  /** How many were given up since there was no room. */
+  /** The number dropped for lack of room. */
   dropped = 0;
   #waiting: readonly Fix[] = [];
 
@@ -27,7 +27,7 @@ export class FixBuffer {
   }
 
   /** The cloud has dealt with all up to this time. */
-  settle(upTo: number): void {
+  acknowledge(upTo: number): void {
     this.#waiting = this.#waiting.filter((fix) => fix.at > upTo);
   }
 

@@ -1,7 +1,7 @@
 import type { Coordinates } from '../geo/coordinates';
 import type { Positions } from '../api/follows';
 
-/** Where the target was once: milliseconds by the phone's clock, metres, m/s, degrees clockwise from north. */
+/** One position of the target: milliseconds by the phone's clock, metres, m/s, degrees clockwise from north. */
 export interface Fix extends Coordinates {
   at: number;
   accuracy: number;
@@ -9,7 +9,7 @@ export interface Fix extends Coordinates {
   course: number | null;
 }
 
-/** How locating stands. insecure: the page came by plain HTTP; none: this browser has no such thing. */
+/** The state of locating. insecure: the page came by plain HTTP; none: this browser has no such thing. */
 export type Locating = 'off' | 'asking' | 'on' | 'denied' | 'unavailable' | 'insecure' | 'none';
 
 export interface SourceListener {
@@ -17,7 +17,7 @@ export interface SourceListener {
   onLocating(locating: Locating): void;
 }
 
-/** What says where the target is: the phone's receiver, or a recorded walk. */
+/** A source of positions of the target: the phone's receiver, or a recorded walk. */
 export interface TargetSource {
   /** Answers how to end it. */
   start(listener: SourceListener): () => void;

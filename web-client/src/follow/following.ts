@@ -18,12 +18,12 @@ export const LEAST_HEIGHT = 5;
 export const MOST_HEIGHT = 120;
 export const USUAL_TURN = 10;
 
-/** What tells a follow of the demo walk after the page was loaded again. */
+/** The name by which a follow of the demo walk is recognised after a reload. */
 export const DEMO_NAME = 'Demo walk';
 const DEMO_NORTH_METERS = 20;
 const KEY = 'dronemap.follow';
 
-/** What the cloud has to hear, so that the drone stays there. */
+/** The request that changes the position of the drone. */
 export function placeChange({ side, bearing, turn, distance, height }: FollowPlace): PlaceChange {
   return {
     side,
@@ -34,8 +34,8 @@ export function placeChange({ side, bearing, turn, distance, height }: FollowPla
   };
 }
 
-/** Those that might follow, as far as this page can tell; the cloud says more. */
-export function choosable(drones: readonly Drone[]): Drone[] {
+/** Drones that can follow, as far as this page knows; the cloud decides. */
+export function availableDrones(drones: readonly Drone[]): Drone[] {
   return drones.filter(
     (drone) =>
       !drone.replay && drone.link.state === 'live' && drone.kind === 'multicopter' && drone.home !== null,
@@ -44,7 +44,7 @@ export function choosable(drones: readonly Drone[]): Drone[] {
 
 /** The demo walk begins beside the home of the drone that is wanted, or of one that stands ready. */
 export function demoBegin(drones: readonly Drone[], wanted: string | null): Coordinates | null {
-  const possible = choosable(drones);
+  const possible = availableDrones(drones);
   const drone = possible.find(({ id }) => id === wanted) ?? possible.find(({ armed }) => armed === false);
   return drone?.home ? moved(drone.home, 0, DEMO_NORTH_METERS) : null;
 }

@@ -1,5 +1,5 @@
 /** Lets the phone page open without a network. Only encrypted pages may have such a worker; others do without. */
-export async function keepShell(
+export async function registerWorker(
   workers: ServiceWorkerContainer | undefined = (navigator as { serviceWorker?: ServiceWorkerContainer })
     .serviceWorker,
 ): Promise<void> {

@@ -1,6 +1,6 @@
 import type { Fix, Locating, SourceListener, TargetSource } from './fix';
 
-/** A receiver that stands still may say nothing; then it is asked. */
+/** A receiver that does not move may report nothing; then a position is requested. */
 export const ASK_AFTER_MILLISECONDS = 2_000;
 const LONGEST_MILLISECONDS = 10_000;
 const OPTIONS: PositionOptions = { enableHighAccuracy: true, maximumAge: 0, timeout: LONGEST_MILLISECONDS };
@@ -30,10 +30,10 @@ export class PhoneReceiver implements TargetSource {
 }
 
 function watch(geolocation: Geolocation, listener: SourceListener): () => void {
-  let heard = performance.now();
+  let receivedAt = performance.now();
   let asked = false;
-  const take = (position: GeolocationPosition): void => {
-    heard = performance.now();
+  const receive = (position: GeolocationPosition): void => {
+    receivedAt = performance.now();
     asked = false;
     listener.onLocating('on');
     listener.onFix(fixOf(position));
@@ -42,11 +42,11 @@ function watch(geolocation: Geolocation, listener: SourceListener): () => void {
     asked = false;
     listener.onLocating(locatingOf(error));
   };
-  const id = geolocation.watchPosition(take, fail, OPTIONS);
+  const id = geolocation.watchPosition(receive, fail, OPTIONS);
   const handle = setInterval(() => {
-    if (!asked && performance.now() - heard >= ASK_AFTER_MILLISECONDS) {
+    if (!asked && performance.now() - receivedAt >= ASK_AFTER_MILLISECONDS) {
       asked = true;
-      geolocation.getCurrentPosition(take, fail, OPTIONS);
+      geolocation.getCurrentPosition(receive, fail, OPTIONS);
     }
   }, 500);
   return () => {
@@ -59,7 +59,7 @@ function locatingOf(error: GeolocationPositionError): Locating {
   return error.code === error.PERMISSION_DENIED ? 'denied' : 'unavailable';
 }
 
-/** Browsers say NaN or null for what the receiver does not know. */
+/** Browsers report NaN or null for what the receiver does not know. */
 function fixOf({ coords, timestamp }: GeolocationPosition): Fix {
   return {
     at: Math.floor(timestamp),

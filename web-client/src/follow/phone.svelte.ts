@@ -1,28 +1,28 @@
-import type { Follow, FollowOrder, FollowStage, FollowWish, PlaceChange } from '../api/follows';
+import type { Follow, FollowOrder, FollowStage, FollowAction, PlaceChange } from '../api/follows';
 import { Problem, sentenceFor } from '../api/problem';
 import { browserTimers } from '../api/stream';
 import { AbsenceWatch } from './absence.svelte';
-import { notDoneWords } from './follow-words';
+import { notDoneText } from './follow-text';
 import type { Fix, Locating, TargetSource } from './fix';
-import { PositionLine, type SayPositions } from './position-line.svelte';
+import { PositionUplink, type SendPositions } from './position-uplink.svelte';
 import type { Follows } from '../state/follows.svelte';
-import { TOLD_AFTER_SECONDS } from './waiting';
+import { WARN_AFTER_SECONDS } from './outage';
 
-/** Longer between two beats, and the system had stopped the page. */
+/** Longer between two updates means that the system had stopped the page. */
 const SLEPT_MILLISECONDS = 5_000;
-const BEAT_MILLISECONDS = 1_000;
-/** Whoever pressed in vain shall read it, also when the line is there again at once. */
+const UPDATE_MILLISECONDS = 1_000;
+/** A problem is shown at least this long, also when the connection is back at once. */
 const READ_MILLISECONDS = 8_000;
 
 export interface PhonePorts {
   follows: Follows;
-  /** Says positions of the follow of that id. */
-  say(id: string): SayPositions;
+  /** Sends positions of the follow of that id. */
+  sender(id: string): SendPositions;
 }
 
-/** What the phone page is about: where the target is, the follow that it asked for, and the line between both. */
+/** The state of the phone page: the position of the target, the follow that it requested, and the uplink between both. */
 export class Phone {
-  /** By the phone's clock; ticks once a second. */
+  /** By the phone's clock, updated once a second. */
   now = $state(Date.now());
   fix = $state.raw<Fix | null>(null);
   locating = $state<Locating>('off');
@@ -31,14 +31,14 @@ export class Phone {
   online = $state(navigator.onLine);
   /** The follow that this page is about; it may be over. */
   followId = $state<string | null>(null);
-  busy = $state<FollowWish | 'ask' | 'place' | null>(null);
+  busy = $state<FollowAction | 'ask' | 'place' | null>(null);
   problem = $state<string | null>(null);
   readonly absence = new AbsenceWatch();
-  line = $state.raw<PositionLine | null>(null);
+  uplink = $state.raw<PositionUplink | null>(null);
   readonly #ports: PhonePorts;
   #stopSource: (() => void) | null = null;
-  /** When and at which stage the problem came up, and whether the cloud was not reached. */
-  #came: { at: number; stage: FollowStage | null; unreached: boolean } | null = null;
+  /** The time and stage at which the problem arose, and whether the cloud was not reached. */
+  #origin: { at: number; stage: FollowStage | null; unreached: boolean } | null = null;
 
   constructor(ports: PhonePorts) {
     this.#ports = ports;
@@ -48,50 +48,50 @@ export class Phone {
     return this.#ports.follows.find(this.followId);
   }
 
-  /** Begins to beat; answers how to end. */
+  /** Begins periodic updates; returns how to end. */
   open(): () => void {
-    const handle = setInterval(() => this.beat(Date.now()), BEAT_MILLISECONDS);
+    const handle = setInterval(() => this.update(Date.now()), UPDATE_MILLISECONDS);
     return () => {
       clearInterval(handle);
       this.#stopLocating();
-      this.#hangUp();
+      this.#closeUplink();
     };
   }
 
-  beat(now: number): void {
+  update(now: number): void {
     const gap = now - this.now;
     this.now = now;
     this.online = navigator.onLine;
     if (gap > SLEPT_MILLISECONDS) {
       this.absence.suspect('asleep', now);
-      this.line?.woke();
-    } else if (this.line !== null && this.line.cutOffSince !== null) {
+      this.uplink?.resumed();
+    } else if (this.uplink !== null && this.uplink.cutOffSince !== null) {
       this.absence.suspect(this.online ? 'unanswered' : 'cut', now);
-    } else if (this.fix === null || now - this.fix.at > TOLD_AFTER_SECONDS * 1000) {
+    } else if (this.fix === null || now - this.fix.at > WARN_AFTER_SECONDS * 1000) {
       this.absence.suspect('blind', now);
     }
     this.#watch();
     this.#forgetProblem();
-    this.line?.beat();
+    this.uplink?.keepAlive();
   }
 
-  /** It does not outlive its stage, nor the outage that it came of. */
+  /** Drops the problem when its stage is over, or the outage that caused it. */
   #forgetProblem(): void {
-    const came = this.#came;
-    if (came === null) {
+    const origin = this.#origin;
+    if (origin === null) {
       return;
     }
-    const reached = this.line !== null && this.line.cutOffSince === null;
-    const over = came.unreached && reached && this.now - came.at >= READ_MILLISECONDS;
-    if (over || came.stage !== (this.follow?.state ?? null)) {
-      this.#came = null;
+    const reached = this.uplink !== null && this.uplink.cutOffSince === null;
+    const over = origin.unreached && reached && this.now - origin.at >= READ_MILLISECONDS;
+    if (over || origin.stage !== (this.follow?.state ?? null)) {
+      this.#origin = null;
       this.problem = null;
     }
   }
 
   #watch(): void {
     if (this.follow !== null) {
-      this.absence.hear(this.follow, this.now);
+      this.absence.update(this.follow, this.now);
     }
   }
 
@@ -102,7 +102,7 @@ export class Phone {
     this.#stopSource = source.start({
       onFix: (fix) => {
         this.fix = fix;
-        this.line?.offer(fix);
+        this.uplink?.offer(fix);
       },
       onLocating: (locating) => (this.locating = locating),
     });
@@ -110,15 +110,15 @@ export class Phone {
 
   /** A follow of mine that is under way from before the page was closed. */
   resume(follow: Follow): void {
-    this.#take(follow);
+    this.#adopt(follow);
     this.absence.suspect('gone', this.now);
   }
 
-  #take(follow: Follow): void {
+  #adopt(follow: Follow): void {
     this.followId = follow.id;
     this.problem = null;
     this.#watch();
-    this.#dial(follow);
+    this.#openUplink(follow);
   }
 
   async ask(order: Omit<FollowOrder, 'latitude' | 'longitude'>): Promise<void> {
@@ -126,13 +126,13 @@ export class Phone {
     if (fix !== null) {
       await this.#attempt('ask', async () => {
         const { latitude, longitude } = fix;
-        this.#take(await this.#ports.follows.open({ latitude, longitude, ...order }));
+        this.#adopt(await this.#ports.follows.open({ latitude, longitude, ...order }));
       });
     }
   }
 
-  async wish(wish: FollowWish): Promise<void> {
-    await this.#onFollow(wish, (id) => this.#ports.follows.wish(id, wish));
+  async act(action: FollowAction): Promise<void> {
+    await this.#onFollow(action, (id) => this.#ports.follows.act(id, action));
   }
 
   async place(change: PlaceChange): Promise<void> {
@@ -141,35 +141,35 @@ export class Phone {
 
   /** Back to the question, after one is over. */
   leave(): void {
-    this.#hangUp();
+    this.#closeUplink();
     this.followId = null;
     this.problem = null;
   }
 
-  /** The line to the cloud is there again. */
+  /** The connection to the cloud is back. */
   reconnected(): void {
-    this.line?.retryNow();
+    this.uplink?.retryNow();
   }
 
-  #dial(follow: Follow): void {
-    this.#hangUp();
+  #openUplink(follow: Follow): void {
+    this.#closeUplink();
     if (follow.state !== 'over') {
-      this.line = new PositionLine(this.#ports.say(follow.id), browserTimers);
+      this.uplink = new PositionUplink(this.#ports.sender(follow.id), browserTimers);
       if (this.fix !== null) {
-        this.line.offer(this.fix);
+        this.uplink.offer(this.fix);
       }
     }
   }
 
-  /** Nobody asks where the target is any more. */
-  #hangUp(): void {
-    this.line?.close();
-    this.line = null;
+  /** The cloud needs no positions any more. */
+  #closeUplink(): void {
+    this.uplink?.close();
+    this.uplink = null;
   }
 
-  settle(): void {
+  closeIfOver(): void {
     if (this.follow?.state === 'over') {
-      this.#hangUp();
+      this.#closeUplink();
     }
   }
 
@@ -179,7 +179,7 @@ export class Phone {
     this.locating = 'off';
   }
 
-  async #onFollow(what: FollowWish | 'place', call: (id: string) => Promise<unknown>): Promise<void> {
+  async #onFollow(what: FollowAction | 'place', call: (id: string) => Promise<unknown>): Promise<void> {
     const id = this.followId;
     if (id !== null) {
       await this.#attempt(what, () => call(id));
@@ -194,14 +194,14 @@ export class Phone {
     try {
       await action();
       this.problem = null;
-      this.#came = null;
+      this.#origin = null;
     } catch (thrown) {
       const unreached = thrown instanceof Problem && thrown.status === 0;
       const stage = this.follow?.state ?? null;
-      this.#came = { at: this.now, stage, unreached };
+      this.#origin = { at: this.now, stage, unreached };
       this.problem =
         unreached && stage !== null && what !== 'ask' && what !== 'place'
-          ? notDoneWords(what, stage, navigator.onLine)
+          ? notDoneText(what, stage, navigator.onLine)
           : sentenceFor(thrown);
     } finally {
       this.busy = null;

@@ -12,13 +12,13 @@ const tracking = aFollow({
   now: aFollowNow('2026-01-01T12:00:00Z'),
 });
 
-function following(call: () => Promise<unknown>): { phone: Phone; hear: (follow: Follow) => void } {
+function following(call: () => Promise<unknown>): { phone: Phone; apply: (follow: Follow) => void } {
   const follows = new Follows(new FollowCalls(call as never));
-  follows.hear(tracking);
-  const phone = new Phone({ follows, say: () => () => Promise.resolve({ upTo: null }) });
+  follows.apply(tracking);
+  const phone = new Phone({ follows, sender: () => () => Promise.resolve({ upTo: null }) });
   phone.now = BEGAN;
   phone.resume(tracking);
-  return { phone, hear: (follow) => follows.hear(follow) };
+  return { phone, apply: (follow) => follows.apply(follow) };
 }
 
 describe('a button that was pressed in vain', () => {
@@ -31,34 +31,34 @@ describe('a button that was pressed in vain', () => {
   it('did nothing where there is no network, and may have where the cloud does not answer', async () => {
     const { phone } = following(lost);
     online(false);
-    await phone.wish('stop');
+    await phone.act('stop');
     expect(phone.problem).toContain('“Stop and fly home” was not done: there is no network.');
     online(true);
-    await phone.wish('pause');
+    await phone.act('pause');
     expect(phone.problem).toContain('whether “Pause” was done');
   });
 
-  it('is told until the line is there again, but long enough to be read', async () => {
+  it('is shown until the connection is back, but long enough to be read', async () => {
     const { phone } = following(lost);
-    await phone.wish('stop');
-    phone.beat(BEGAN + 1_000);
+    await phone.act('stop');
+    phone.update(BEGAN + 1_000);
     expect(phone.problem).not.toBeNull();
-    const line = phone.line ?? expect.fail('It has a line.');
-    line.cutOffSince = BEGAN;
-    [5_000, 9_000, 13_000].forEach((after) => phone.beat(BEGAN + after));
+    const uplink = phone.uplink ?? expect.fail('It has an uplink.');
+    uplink.cutOffSince = BEGAN;
+    [5_000, 9_000, 13_000].forEach((after) => phone.update(BEGAN + after));
     expect(phone.problem).not.toBeNull();
-    line.cutOffSince = null;
-    phone.beat(BEGAN + 14_000);
+    uplink.cutOffSince = null;
+    phone.update(BEGAN + 14_000);
     expect(phone.problem).toBeNull();
   });
 
-  it('is told until the next stage, when the cloud refused it', async () => {
-    const { phone, hear } = following(refused);
-    await phone.wish('pause');
-    [4_000, 8_000, 12_000].forEach((after) => phone.beat(BEGAN + after));
+  it('is shown until the next stage, when the cloud refused it', async () => {
+    const { phone, apply } = following(refused);
+    await phone.act('pause');
+    [4_000, 8_000, 12_000].forEach((after) => phone.update(BEGAN + after));
     expect(phone.problem).toBe('It is paused.');
-    hear({ ...tracking, state: 'paused', since: '2026-01-01T12:00:13Z' });
-    phone.beat(BEGAN + 13_000);
+    apply({ ...tracking, state: 'paused', since: '2026-01-01T12:00:13Z' });
+    phone.update(BEGAN + 13_000);
     expect(phone.problem).toBeNull();
   });
 });

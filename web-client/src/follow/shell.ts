@@ -6,7 +6,7 @@ export type Asked = Pick<Request, 'method' | 'mode' | 'url'>;
 const PAGE = '/follow';
 const ASSETS = '/assets/';
 
-/** What is answered from where. Whatever the cloud knows comes from the cloud alone, or not at all. */
+/** The source of each response: data of the cloud come from the cloud alone, or not at all. */
 export function routeOf({ method, mode, url }: Asked, origin: string): Route {
   const address = new URL(url);
   if (method !== 'GET' || address.origin !== origin) {

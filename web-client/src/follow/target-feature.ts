@@ -4,8 +4,8 @@ import type { Coordinates } from '../geo/coordinates';
 import { age } from '../ui/format';
 import { moved } from './fix';
 import { DEMO_NAME } from './following';
-import { isKeptBack } from './follow-words';
-import { silentSeconds } from './waiting';
+import { isHeldUp } from './follow-text';
+import { silentSeconds } from './outage';
 
 /** Somebody whom a drone stays with. */
 export interface Target {
@@ -14,14 +14,14 @@ export interface Target {
   /** Metres. */
   accuracy: number;
   label: string;
-  /** How old the place is; empty: it is new. */
+  /** The age of the position; empty: it is new. */
   age: string;
   tone: 'green' | 'amber' | 'blue' | 'violet' | 'neutral';
 }
 
 const CORNERS = 48;
 
-/** The target, as far as its place is known, and a line to where its drone is. */
+/** The target with its accuracy, and a line to its drone. */
 export function targetFeatures(target: Target, drone: Coordinates | null): Feature[] {
   const { id, at, accuracy, label, tone } = target;
   const features: Feature[] = [
@@ -37,7 +37,7 @@ export function targetFeatures(target: Target, drone: Coordinates | null): Featu
     : [feature({ type: 'LineString', coordinates: line }, { tone }), ...features];
 }
 
-/** Whoever is followed, as the cloud last heard it; `droneAt`: where the drone of that id is shown. */
+/** The targets of all follows at their last positions; `droneAt`: the shown position of a drone. */
 export function followFeatures(
   follows: readonly Follow[],
   cloudNow: number,
@@ -58,7 +58,7 @@ export function followFeatures(
         label: follow.name === DEMO_NAME ? `${follow.owner}, a demo walk` : follow.owner,
         age: silent === null ? '' : age(silent * 1000),
         tone:
-          silent !== null || isKeptBack(follow) ? 'amber' : follow.state === 'tracking' ? 'green' : 'neutral',
+          silent !== null || isHeldUp(follow) ? 'amber' : follow.state === 'tracking' ? 'green' : 'neutral',
       };
       return targetFeatures(target, droneAt(follow.drone));
     }),

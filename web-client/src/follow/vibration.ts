@@ -14,7 +14,7 @@ export const ALARM: readonly number[] = [400, 150, 400, 150, 400];
 
 export type Vibrate = (pattern: number[]) => unknown;
 
-/** Lets the hand feel what happens: each new stage and drone once, and each new red warning. */
+/** Vibrates the phone once for each new stage and drone, and for each new red warning. */
 export class Vibration {
   readonly #vibrate: Vibrate;
   #stage: FollowStage | null = null;
@@ -25,7 +25,7 @@ export class Vibration {
     this.#vibrate = vibrate;
   }
 
-  feel(follow: Pick<Follow, 'state' | 'drone'> | null, alarms: readonly string[]): void {
+  update(follow: Pick<Follow, 'state' | 'drone'> | null, alarms: readonly string[]): void {
     const isNew = alarms.some((key) => !this.#alarms.has(key));
     this.#alarms = new Set(alarms);
     const stage = follow?.state ?? null;

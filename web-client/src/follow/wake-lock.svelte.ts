@@ -4,7 +4,7 @@ export type WakeState = 'off' | 'held' | 'lost' | 'refused' | 'unsupported';
 type Page = Pick<Document, 'visibilityState' | 'addEventListener' | 'removeEventListener'>;
 
 /** Keeps the screen on while it is wanted. The system takes that away whenever the page is hidden; it is asked for again. */
-export class ScreenOn {
+export class ScreenWakeLock {
   state = $state<WakeState>('off');
   readonly #lock: WakeLock | undefined;
   readonly #page: Page;
@@ -13,7 +13,7 @@ export class ScreenOn {
   #asking = false;
   readonly #onVisible = (): void => {
     if (this.#page.visibilityState === 'visible') {
-      void this.#take();
+      void this.#request();
     }
   };
 
@@ -30,7 +30,7 @@ export class ScreenOn {
       this.#wanted = true;
       this.#page.addEventListener('visibilitychange', this.#onVisible);
     }
-    void this.#take();
+    void this.#request();
   }
 
   stop(): void {
@@ -42,7 +42,7 @@ export class ScreenOn {
     void held?.release();
   }
 
-  async #take(): Promise<void> {
+  async #request(): Promise<void> {
     if (this.#lock === undefined) {
       this.state = 'unsupported';
       return;
@@ -54,7 +54,7 @@ export class ScreenOn {
     try {
       this.#hold(await this.#lock.request('screen'));
     } catch {
-      // The browser says no, mostly to save power; people are told to keep it on themselves.
+      // The browser refuses, mostly to save power; a warning asks the user to keep the screen on.
       this.state = 'refused';
     } finally {
       this.#asking = false;

@@ -1,5 +1,5 @@
 import { describe, expect, it, vi } from 'vitest';
-import { ScreenOn } from './wake-lock.svelte';
+import { ScreenWakeLock } from './wake-lock.svelte';
 
 class Sentinel extends EventTarget {
   readonly release = vi.fn(() => Promise.resolve());
@@ -16,7 +16,7 @@ class FakePage extends EventTarget {
 
 const settled = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
-function bench(): { page: FakePage; given: Sentinel[]; screen: ScreenOn } {
+function bench(): { page: FakePage; given: Sentinel[]; screen: ScreenWakeLock } {
   const page = new FakePage();
   const given: Sentinel[] = [];
   const request = (): Promise<WakeLockSentinel> => {
@@ -24,7 +24,7 @@ function bench(): { page: FakePage; given: Sentinel[]; screen: ScreenOn } {
     given.push(sentinel);
     return Promise.resolve(sentinel as unknown as WakeLockSentinel);
   };
-  return { page, given, screen: new ScreenOn({ request } as WakeLock, page as unknown as Document) };
+  return { page, given, screen: new ScreenWakeLock({ request } as WakeLock, page as unknown as Document) };
 }
 
 describe('the screen', () => {
@@ -67,12 +67,12 @@ describe('the screen', () => {
   it('says that the browser will not, or cannot', async () => {
     const page = new FakePage() as unknown as Document;
     const lock = { request: () => Promise.reject(new DOMException('no', 'NotAllowedError')) };
-    const saving = new ScreenOn(lock as unknown as WakeLock, page);
+    const saving = new ScreenWakeLock(lock as unknown as WakeLock, page);
     saving.start();
     await settled();
     expect(saving.state).toBe('refused');
 
-    const old = new ScreenOn(undefined, page);
+    const old = new ScreenWakeLock(undefined, page);
     old.start();
     expect(old.state).toBe('unsupported');
   });

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
-import { warningsFor, type Signs } from './warnings';
+import { warningsFor, type PhoneStatus } from './warnings';
 
 const NOW = Date.parse('2026-01-01T12:00:00Z');
-const well: Signs = {
+const well: PhoneStatus = {
   now: NOW,
   leading: true,
   idle: false,
@@ -19,8 +19,9 @@ const well: Signs = {
   wake: 'held',
   battery: 80,
 };
-const keys = (change: Partial<Signs>): string[] => warningsFor({ ...well, ...change }).map(({ key }) => key);
-const words = (change: Partial<Signs>): string =>
+const keys = (change: Partial<PhoneStatus>): string[] =>
+  warningsFor({ ...well, ...change }).map(({ key }) => key);
+const words = (change: Partial<PhoneStatus>): string =>
   warningsFor({ ...well, ...change })
     .map((warning) => `${warning.words} ${warning.todo}`)
     .join(' ');
@@ -30,7 +31,7 @@ describe('warnings', () => {
     expect(keys({})).toEqual([]);
   });
 
-  it('tell for how long there is no position, and what the drone does', () => {
+  it('show for how long there is no position, and what the drone does', () => {
     expect(keys({ lastFix: NOW - 3900 })).toEqual([]);
     expect(words({ lastFix: NOW - 12_300 })).toContain(
       'No position for 12 s. The drone stands, and flies home in 48 s.',
@@ -51,25 +52,25 @@ describe('warnings', () => {
     expect(keys({ ...lost, cutOffSince: NOW })).toEqual(['cut-off']);
   });
 
-  it('tell apart that the page may not know', () => {
+  it('show apart that the page may not know', () => {
     expect(keys({ locating: 'denied', lastFix: NOW - 60_000 })).toEqual(['denied']);
     expect(words({ locating: 'denied' })).toContain('Allow location');
   });
 
-  it('tell since when it is cut off', () => {
-    const said = words({ cutOffSince: NOW - 31_000 });
-    expect(said).toContain('31 s ago');
-    expect(said).toContain('goes on by itself when the network is back');
+  it('show since when it is cut off', () => {
+    const shown = words({ cutOffSince: NOW - 31_000 });
+    expect(shown).toContain('31 s ago');
+    expect(shown).toContain('goes on by itself when the network is back');
     expect(words({ cutOffSince: NOW, online: true })).toContain('when the cloud answers');
   });
 
-  it('tell what had kept the phone away and what the drone did, for a while', () => {
+  it('show what had kept the phone away and what the drone did, for a while', () => {
     const absence = { seconds: 34, waited: 32, from: NOW - 35_000, until: NOW - 1000 };
     const meantime = 'The drone stood and waited for 32 s.';
-    const said = (['asleep', 'cut', 'unanswered', 'gone', 'blind', 'vague'] as const).map((why) =>
+    const shown = (['asleep', 'cut', 'unanswered', 'gone', 'blind', 'vague'] as const).map((why) =>
       words({ absence: { ...absence, why }, meantime }),
     );
-    expect(said.map((one) => one.slice(0, one.indexOf(' 34 s')))).toEqual([
+    expect(shown.map((one) => one.slice(0, one.indexOf(' 34 s')))).toEqual([
       'This page was stopped for',
       'There was no network for',
       'The cloud did not answer for',
@@ -77,15 +78,15 @@ describe('warnings', () => {
       'The phone did not know where it is for',
       'The phone knew its place to no better than 50 m for',
     ]);
-    said.forEach((one) => expect(one).toContain(meantime));
+    shown.forEach((one) => expect(one).toContain(meantime));
     // After the drone was spoken of, "it" would be the drone.
-    said.forEach((one) => expect(one).not.toContain('Keep it'));
+    shown.forEach((one) => expect(one).not.toContain('Keep it'));
     const long = { ...absence, why: 'cut' as const };
     expect(keys({ absence: { ...long, until: NOW - 40_000 } })).toEqual([]);
     expect(keys({ absence: long, leading: false })).toEqual([]);
   });
 
-  it('tell how bad a position is, and from when on it leads nobody', () => {
+  it('show how bad a position is, and from when on it leads nobody', () => {
     expect(keys({ accuracy: 14 })).toEqual([]);
     expect(warningsFor({ ...well, accuracy: 30 })[0]?.tone).toBe('amber');
     expect(warningsFor({ ...well, accuracy: 80 })[0]?.tone).toBe('red');
@@ -94,8 +95,8 @@ describe('warnings', () => {
     expect(warningsFor({ ...well, leading: false, accuracy: 80 })[0]?.todo).not.toContain('flies home');
   });
 
-  it('tell that the screen may go off, unless a recorded walk needs none', () => {
-    expect(keys({ wake: 'unsupported' })).toEqual(['unlit']);
+  it('show that the screen may go off, unless a recorded walk needs none', () => {
+    expect(keys({ wake: 'unsupported' })).toEqual(['screen-off']);
     expect(keys({ wake: 'refused', demo: true })).toEqual([]);
   });
 
@@ -103,10 +104,10 @@ describe('warnings', () => {
     const absence = { why: 'cut' as const, seconds: 9, waited: 7, from: NOW - 9_000, until: NOW };
     expect(keys({ wake: 'refused', battery: 25, cutOffSince: NOW, absence })).toEqual([
       'cut-off',
-      'unlit',
+      'screen-off',
       'battery',
     ]);
-    expect(keys({ wake: 'refused', absence })).toEqual(['back', 'unlit']);
+    expect(keys({ wake: 'refused', absence })).toEqual(['back', 'screen-off']);
   });
 
   it('say the words of the cloud when it does not want the positions', () => {

@@ -3,7 +3,7 @@ import type { Absence, AbsenceReason } from './absence.svelte';
 import type { Locating } from './fix';
 import type { WakeState } from './wake-lock.svelte';
 
-/** The drone stands after 2 s without a position; one may be late. */
+/** The drone stops after 2 s without a position; one may be late. */
 export const NO_FIX_SECONDS = 4;
 /** From here on a drone stays more beside the phone than where it is wanted. */
 export const BAD_METERS = 15;
@@ -19,12 +19,12 @@ export interface Warning {
   todo: string;
 }
 
-/** What the page knows of the way from the target to the drone. Times in milliseconds by the phone's clock. */
-export interface Signs {
+/** The state that warnings are derived from. Times in milliseconds by the phone's clock. */
+export interface PhoneStatus {
   now: number;
-  /** A drone is led by what this page says. */
+  /** A drone is led by positions of this page. */
   leading: boolean;
-  /** Where the target is matters to nobody any more: the drone flies home, or is there. */
+  /** Positions are not needed any more: the drone flies home, or is there. */
   idle: boolean;
   demo: boolean;
   locating: Locating;
@@ -33,7 +33,7 @@ export interface Signs {
   accuracy: number | null;
   /** The newest time without positions; null: there was none. */
   absence: Absence | null;
-  /** What the cloud says that the drone did meanwhile. */
+  /** A sentence of what the drone did during the absence. */
   meantime: string;
   /** Seconds without a position before the drone flies home; null: it waits for none. */
   patience: number | null;
@@ -46,15 +46,15 @@ export interface Signs {
   battery: number | null;
 }
 
-type Rule = (signs: Signs) => Warning | null;
+type Rule = (status: PhoneStatus) => Warning | null;
 
 const BACK_SHOWN_MILLISECONDS = 30_000;
 const TONES = ['red', 'green', 'amber'] as const;
 
 /** The worst first. What is red now makes it untrue that all is well again. */
-export function warningsFor(signs: Signs): Warning[] {
-  const rules = signs.idle ? RULES.filter((rule) => !ABOUT_PLACE.includes(rule)) : RULES;
-  const all = rules.map((rule) => rule(signs)).filter((warning) => warning !== null);
+export function warningsFor(status: PhoneStatus): Warning[] {
+  const rules = status.idle ? RULES.filter((rule) => !ABOUT_PLACE.includes(rule)) : RULES;
+  const all = rules.map((rule) => rule(status)).filter((warning) => warning !== null);
   const bad = all.some(({ tone }) => tone === 'red');
   return all
     .filter(({ tone }) => !(bad && tone === 'green'))
@@ -62,9 +62,18 @@ export function warningsFor(signs: Signs): Warning[] {
 }
 
 const ABOUT_PLACE: readonly Rule[] = [denied, noFix, vague];
-const RULES: readonly Rule[] = [denied, noFix, cutOff, refusedByCloud, back, vague, unlit, lowBattery];
+const RULES: readonly Rule[] = [
+  denied,
+  noFix,
+  cutOff,
+  refusedByCloud,
+  back,
+  vague,
+  screenMayTurnOff,
+  lowBattery,
+];
 
-function denied({ locating }: Signs): Warning | null {
+function denied({ locating }: PhoneStatus): Warning | null {
   return locating === 'denied'
     ? {
         key: 'denied',
@@ -75,7 +84,7 @@ function denied({ locating }: Signs): Warning | null {
     : null;
 }
 
-function noFix({ now, locating, lastFix, leading, patience, cutOffSince }: Signs): Warning | null {
+function noFix({ now, locating, lastFix, leading, patience, cutOffSince }: PhoneStatus): Warning | null {
   if (locating !== 'on' && locating !== 'unavailable') {
     return null;
   }
@@ -87,7 +96,7 @@ function noFix({ now, locating, lastFix, leading, patience, cutOffSince }: Signs
     key: 'no-fix',
     tone: 'red',
     words: seconds === null ? 'The phone does not know where it is.' : `No position for ${span(seconds)}.`,
-    // Who is cut off is told of the drone there.
+    // The warning of the lost connection mentions the drone already.
     todo: `${leading && cutOffSince === null ? standsAndWaits(patience, seconds) : ''}Go where you see the sky, and keep location switched on.`,
   };
 }
@@ -100,14 +109,14 @@ function standsAndWaits(patience: number | null, seconds: number | null): string
   return left > 0 ? `The drone stands, and flies home in ${span(left)}. ` : 'By now the drone flies home. ';
 }
 
-/** While a follow is under way a sign of its own says this; see CutOff.svelte. */
-function cutOff({ now, cutOffSince, online }: Signs): Warning | null {
+/** During a follow CutOff.svelte shows this instead. */
+function cutOff({ now, cutOffSince, online }: PhoneStatus): Warning | null {
   return cutOffSince === null
     ? null
-    : { key: 'cut-off', tone: 'red', words: cutOffWords(cutOffSince, now), todo: cutOffTodo(online) };
+    : { key: 'cut-off', tone: 'red', words: cutOffText(cutOffSince, now), todo: cutOffTodo(online) };
 }
 
-export function cutOffWords(since: number, now: number): string {
+export function cutOffText(since: number, now: number): string {
   const seconds = Math.max(0, Math.floor((now - since) / 1000));
   return `Cut off from the cloud since ${timeOfDay(new Date(since).toISOString())}, ${span(seconds)} ago.`;
 }
@@ -120,7 +129,7 @@ export function cutOffTodo(online: boolean): string {
   return `This page goes on by itself when ${online ? 'the cloud answers' : 'the network is back'}.`;
 }
 
-function refusedByCloud({ refused }: Signs): Warning | null {
+function refusedByCloud({ refused }: PhoneStatus): Warning | null {
   return refused === null
     ? null
     : {
@@ -149,7 +158,7 @@ const ABSENCES: Record<AbsenceReason, (time: string) => [words: string, todo: st
   ],
 };
 
-function back({ now, absence, meantime, leading }: Signs): Warning | null {
+function back({ now, absence, meantime, leading }: PhoneStatus): Warning | null {
   if (absence === null || !leading || now - absence.until > BACK_SHOWN_MILLISECONDS) {
     return null;
   }
@@ -162,7 +171,7 @@ function back({ now, absence, meantime, leading }: Signs): Warning | null {
   };
 }
 
-function vague({ locating, accuracy, leading, patience }: Signs): Warning | null {
+function vague({ locating, accuracy, leading, patience }: PhoneStatus): Warning | null {
   if (locating !== 'on' || accuracy === null || accuracy < BAD_METERS) {
     return null;
   }
@@ -183,19 +192,19 @@ function homeAfter(leading: boolean, patience: number | null): string {
     : '';
 }
 
-function unlit({ wake, leading, demo }: Signs): Warning | null {
+function screenMayTurnOff({ wake, leading, demo }: PhoneStatus): Warning | null {
   if (!leading || demo || wake === 'held' || wake === 'off') {
     return null;
   }
   return {
-    key: 'unlit',
+    key: 'screen-off',
     tone: 'amber',
     words: 'The screen may switch itself off.',
     todo: 'Then the phone says nothing more and the drone stands. Set the screen to stay on, and end power saving.',
   };
 }
 
-function lowBattery({ battery, leading }: Signs): Warning | null {
+function lowBattery({ battery, leading }: PhoneStatus): Warning | null {
   return !leading || battery === null || battery > LOW_PERCENT
     ? null
     : {

@@ -77,7 +77,7 @@ describe('map features', () => {
       [8.5456, 47.4022],
     ];
     expect(way?.geometry).toEqual({ type: 'LineString', coordinates });
-    expect(place?.properties).toEqual({ label: 'comes down here' });
+    expect(place?.properties).toEqual({ label: 'lands here' });
     expect(landingFeatures(aDrone({ outlook: anOutlook({ latitude: 47.39772 }) })).features).toEqual([]);
     expect(landingFeatures(aDrone()).features).toEqual([]);
     expect(landingFeatures(null).features).toEqual([]);

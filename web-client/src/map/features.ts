@@ -2,15 +2,15 @@ import type { Feature, FeatureCollection, Geometry, Point, Position } from 'geoj
 import type { Drone, Home, MissionItem } from '../api/types';
 import { landsElsewhere } from '../fleet/outlook';
 import { placeOf } from '../fleet/place';
-import { standingOf } from '../fleet/standing';
+import { statusOf } from '../fleet/drone-status';
 import type { Coordinates } from '../geo/coordinates';
 import type { Draft } from '../plan/draft';
 import { itemNumber, waypointNumber } from '../plan/numbering';
 import { age } from '../ui/format';
 
 /**
- * Drones as one layer: heading, state ring, label; stale ones fade and say how old they are. `cut`: the page has no line to
- * the cloud, so that all of them are.
+ * Drones as one layer: heading, state ring, label; stale ones fade and say how old they are. `cut`: the page has no connection
+ * to the cloud, so that all of them are.
  */
 export function droneFeatures(
   drones: readonly Drone[],
@@ -38,7 +38,7 @@ function droneProperties(
   silence: number | null,
   cut: boolean,
 ): Record<string, unknown> {
-  const tone = cut ? 'neutral' : standingOf(drone).tone;
+  const tone = cut ? 'neutral' : statusOf(drone).tone;
   const { state } = drone.link;
   const heading = headingOf(drone);
   const shape = heading === null ? 'dot' : 'arrow';
@@ -49,7 +49,7 @@ function droneProperties(
     selected,
     opacity: cut || state !== 'live' ? 0.55 : 1,
     label: drone.replay ? `${drone.name} · replay` : drone.name,
-    age: ageWords(drone, silence, cut),
+    age: ageText(drone, silence, cut),
     rank: selected ? 0 : 1,
   };
 }
@@ -58,8 +58,8 @@ function headingOf({ motion, attitude }: Drone): number | null {
   return motion?.heading ?? attitude?.yaw ?? null;
 }
 
-/** How old a silent drone's place is; a recording that was played to its end ages no more. */
-function ageWords({ link }: Drone, silence: number | null, cut: boolean): string {
+/** The age of a silent drone's position; a recording that was played to its end does not age. */
+function ageText({ link }: Drone, silence: number | null, cut: boolean): string {
   const old = link.state === 'suspect' || link.state === 'lost' || (cut && link.state === 'live');
   return old ? age(silence) : '';
 }
@@ -127,7 +127,7 @@ export function draftFeatures(draft: Draft | null, drone: Drone | null, ordered 
   ]);
 }
 
-/** Where a drone in the air would be brought down, and the way there; nothing where that is where it is. */
+/** The place where a drone in the air would land, and the way there; nothing when it is below the drone. */
 export function landingFeatures(drone: Drone | null): FeatureCollection {
   const here = placeOf(drone);
   const there = landsElsewhere(drone);
@@ -135,10 +135,7 @@ export function landingFeatures(drone: Drone | null): FeatureCollection {
     return collect([]);
   }
   const end: Position = [there.longitude, there.latitude];
-  return collect([
-    line([[here.longitude, here.latitude], end], {}),
-    point(end, { label: 'comes down here' }),
-  ]);
+  return collect([line([[here.longitude, here.latitude], end], {}), point(end, { label: 'lands here' })]);
 }
 
 export function homeFeatures(drone: Drone | null): FeatureCollection {

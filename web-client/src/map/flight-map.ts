@@ -24,7 +24,7 @@ const HIT_PIXELS = 14;
 /** Large and given once: not worth comparing. */
 const STILL_SOURCES: ReadonlySet<LiveSource> = new Set(['countries', 'names']);
 
-/** What lies where somebody clicked: ids, or null. */
+/** The ids of what was clicked, or null. */
 export interface Hit {
   drone: string | null;
   /** A waypoint of the mission run. */
@@ -37,8 +37,8 @@ export interface MapEvents {
   /** Whether it meant something here; where it did not, letting go counts as a click. */
   onLongPress(place: Coordinates): boolean;
   onWaypointMoved(key: number, place: Coordinates): void;
-  /** `byHand`: somebody moved it, not the page. */
-  onMove(byHand: boolean): void;
+  /** `byUser`: somebody moved it, not the page. */
+  onMove(byUser: boolean): void;
   onGrid(stepMeters: number | null): void;
 }
 
@@ -87,10 +87,10 @@ export class FlightMap {
       this.#shown.set(source, text);
     }
     this.#live.set(source, data);
-    this.#hand(source, data);
+    this.#setData(source, data);
   }
 
-  #hand(source: LiveSource, data: FeatureCollection): void {
+  #setData(source: LiveSource, data: FeatureCollection): void {
     if (this.#ready) {
       this.#map.getSource<GeoJSONSource>(source)?.setData(data);
     }
@@ -163,7 +163,7 @@ export class FlightMap {
     const map = this.#map;
     map.on('style.load', () => {
       this.#ready = true;
-      this.#live.forEach((data, source) => this.#hand(source, data));
+      this.#live.forEach((data, source) => this.#setData(source, data));
       this.#showGrid();
     });
     map.setMissingStyleImageResolver((id) => {
@@ -185,7 +185,7 @@ export class FlightMap {
   #click(event: MapMouseEvent): void {
     if (this.#waypointAt(event) === null) {
       const { lat: latitude, lng: longitude } = event.lngLat.wrap();
-      // Who is followed stands for the drone that follows.
+      // A click on a target selects the drone that follows it.
       const drone = this.#idAt(event, 'drones') ?? this.#idAt(event, 'follow-phones');
       this.#events.onClick({ latitude, longitude }, { drone, runWaypoint: this.#idAt(event, 'runs-points') });
     }

@@ -2,7 +2,7 @@ import type { LayerSpecification } from 'maplibre-gl';
 import { MAP_FONT } from './layers';
 import type { Palette } from './palette';
 
-/** Who is followed: as far as that is known, with a line to the drone and a name. */
+/** The layers of follows: the accuracy of the target, a line to the drone, and a name. */
 export function followLayers(palette: Palette): LayerSpecification[] {
   const colour = [
     'match',

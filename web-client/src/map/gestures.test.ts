@@ -4,8 +4,8 @@ import { PressGestures, type PressHandler } from './gestures';
 
 type Listener = (event: object) => void;
 
-/** A map that only hands on what a hand does to it. */
-class Hands {
+/** A map that only passes on what a pointer does to it. */
+class Pointer {
   readonly #listeners = new Map<string, Listener>();
   readonly clicked = vi.fn();
   readonly pressed = vi.fn<PressHandler['onPress']>();
@@ -30,31 +30,31 @@ class Hands {
 beforeEach(() => vi.useFakeTimers());
 afterEach(() => vi.useRealTimers());
 
-function pressedLong(hands: Hands): void {
-  hands.does('mousedown');
+function pressedLong(pointer: Pointer): void {
+  pointer.does('mousedown');
   vi.advanceTimersByTime(600);
-  hands.does('mouseup');
-  hands.does('click');
+  pointer.does('mouseup');
+  pointer.does('click');
 }
 
 test('a long press that means something is not a click as well', () => {
-  const hands = new Hands();
-  hands.pressed.mockReturnValue(true);
-  pressedLong(hands);
-  expect(hands.pressed).toHaveBeenCalledExactlyOnceWith({ latitude: 47, longitude: 8 });
-  expect(hands.clicked).not.toHaveBeenCalled();
+  const pointer = new Pointer();
+  pointer.pressed.mockReturnValue(true);
+  pressedLong(pointer);
+  expect(pointer.pressed).toHaveBeenCalledExactlyOnceWith({ latitude: 47, longitude: 8 });
+  expect(pointer.clicked).not.toHaveBeenCalled();
 });
 
 test('a slow click counts where a long press means nothing', () => {
-  const hands = new Hands();
-  hands.pressed.mockReturnValue(false);
-  pressedLong(hands);
-  expect(hands.clicked).toHaveBeenCalledOnce();
+  const pointer = new Pointer();
+  pointer.pressed.mockReturnValue(false);
+  pressedLong(pointer);
+  expect(pointer.clicked).toHaveBeenCalledOnce();
 });
 
 test('a press on a waypoint is never long', () => {
-  const hands = new Hands(3);
-  pressedLong(hands);
-  expect(hands.pressed).not.toHaveBeenCalled();
-  expect(hands.clicked).toHaveBeenCalledOnce();
+  const pointer = new Pointer(3);
+  pressedLong(pointer);
+  expect(pointer.pressed).not.toHaveBeenCalled();
+  expect(pointer.clicked).toHaveBeenCalledOnce();
 });

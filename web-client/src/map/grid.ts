@@ -1,6 +1,6 @@
 import type { Feature, FeatureCollection, LineString } from 'geojson';
 
-/** What the map shows, in degrees. */
+/** The part of the Earth that the map shows, in degrees. */
 export interface View {
   west: number;
   south: number;

@@ -136,7 +136,7 @@ export function zoneLayers(palette: Palette): LayerSpecification[] {
 /** Each tour in a colour of its own, with the name of its drone along it; what nobody visits stands out. */
 export function tourLayers(palette: Palette): LayerSpecification[] {
   return [
-    ...toneWays('tours', palette, 3.5),
+    ...toneLines('tours', palette, 3.5),
     ...numberLayers('tours', palette, ['case', ['has', 'unserved'], palette.red, toneColour(palette)]),
   ];
 }
@@ -151,7 +151,7 @@ function toneColour(palette: Palette): string {
 }
 
 /** Lines in the colour of their drone, with its name along them. */
-export function toneWays(source: string, palette: Palette, width: number): LayerSpecification[] {
+export function toneLines(source: string, palette: Palette, width: number): LayerSpecification[] {
   const colour = toneColour(palette);
   const ways = ['==', ['geometry-type'], 'LineString'] as unknown as boolean;
   return [

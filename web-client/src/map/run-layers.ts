@@ -1,8 +1,8 @@
 import type { LayerSpecification } from 'maplibre-gl';
-import { numberLayers, toneWays } from './layers';
+import { numberLayers, toneLines } from './layers';
 import type { Palette } from './palette';
 
-/** Whoever flies in its own colour; waypoints by what became of them, the chosen one with a ring. */
+/** The layers of a run: each drone in its own colour, waypoints by their state, the selected one with a ring. */
 export function runLayers(palette: Palette): LayerSpecification[] {
   const look = [
     'match',
@@ -20,7 +20,7 @@ export function runLayers(palette: Palette): LayerSpecification[] {
     palette.neutral,
   ];
   return [
-    ...toneWays('runs', palette, 2.5),
+    ...toneLines('runs', palette, 2.5),
     {
       id: 'runs-chosen',
       type: 'circle',

@@ -2,11 +2,11 @@ import { cleanup, fireEvent, render, screen } from '@testing-library/svelte';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import type { OutletClient, PersonalPort } from '../api/outlet';
 import { STATION, Station } from '../state/station.svelte';
-import { rateLine, refusedLine, troubleLine, whatLine } from './client-line';
+import { rateText, refusedText, troubleText, clientText } from './client-text';
 import OutletClients from './OutletClients.svelte';
 import OwnOutlet from './OwnOutlet.svelte';
-import { portLine, portPlace } from './port-line';
-import { settingsFor, signerFor, wayWords, waysIn } from './settings';
+import { portText, portPlace } from './port-text';
+import { settingsFor, signerFor, addressText, outletAddresses } from './settings';
 
 const CLIENT: OutletClient = {
   id: 'client-1',
@@ -41,18 +41,18 @@ const PORT: PersonalPort = {
 afterEach(cleanup);
 
 describe('an attached ground station', () => {
-  it('is told by rates, address and what it sees', () => {
-    expect(rateLine(CLIENT)).toBe('1,234 messages/s to it, 1/s from it');
-    expect(whatLine({ ...CLIENT, drones: 2 })).toBe('192.0.2.1:5000 udp · system 255 · sees 2 drones');
-    expect(troubleLine(CLIENT)).toBeNull();
-    expect(troubleLine({ ...CLIENT, dropped: 7, silentSeconds: 12.3 })).toBe(
+  it('is shown by rates, address and what it sees', () => {
+    expect(rateText(CLIENT)).toBe('1,234 messages/s to it, 1/s from it');
+    expect(clientText({ ...CLIENT, drones: 2 })).toBe('192.0.2.1:5000 udp · system 255 · sees 2 drones');
+    expect(troubleText(CLIENT)).toBeNull();
+    expect(troubleText({ ...CLIENT, dropped: 7, silentSeconds: 12.3 })).toBe(
       '7 dropped: its link is too slow · silent for 12 s',
     );
   });
 
   it('leaves strangers outside, counted by reason', () => {
-    expect(refusedLine(NOBODY)).toBeNull();
-    expect(refusedLine({ ...NOBODY, unsigned: 1200, badSignature: 3 })).toBe(
+    expect(refusedText(NOBODY)).toBeNull();
+    expect(refusedText({ ...NOBODY, unsigned: 1200, badSignature: 3 })).toBe(
       'Messages kept outside: 1,200 unsigned, 3 with a wrong passphrase.',
     );
   });
@@ -60,19 +60,19 @@ describe('an attached ground station', () => {
 
 describe('the settings of programs', () => {
   it('name the address by which this server was reached, unless it listens on one only', () => {
-    expect(waysIn(ENDPOINTS, 'cloud.example').map(wayWords)).toEqual([
+    expect(outletAddresses(ENDPOINTS, 'cloud.example').map(addressText)).toEqual([
       'UDP cloud.example:14560',
       'TCP 127.0.0.1:5790',
       'wss://cloud.example:5791',
     ]);
-    expect(waysIn(['dtlsserver://0.0.0.0:14599'], 'cloud.example').map(wayWords)).toEqual([
+    expect(outletAddresses(['dtlsserver://0.0.0.0:14599'], 'cloud.example').map(addressText)).toEqual([
       'DTLS cloud.example:14599',
     ]);
-    expect(waysIn(['serial:///dev/tty'], 'cloud.example')).toEqual([]);
+    expect(outletAddresses(['serial:///dev/tty'], 'cloud.example')).toEqual([]);
   });
 
   it('can be copied as they are, with the passphrase while it is known', () => {
-    const known = settingsFor(waysIn(ENDPOINTS, 'cloud.example'), 'open sesame 1234567');
+    const known = settingsFor(outletAddresses(ENDPOINTS, 'cloud.example'), 'open sesame 1234567');
     const lines = known.flatMap((program) => program.lines.map((line) => line.text));
     expect(lines).toContain('mavproxy.py --mav20 --master=udpout:cloud.example:14560');
     expect(lines).toContain('signing key "open sesame 1234567"');
@@ -82,10 +82,10 @@ describe('the settings of programs', () => {
       'MAVProxy',
       'pymavlink',
     ]);
-    const [only] = settingsFor(waysIn([ENDPOINTS[1] ?? ''], 'x'), null).slice(2);
+    const [only] = settingsFor(outletAddresses([ENDPOINTS[1] ?? ''], 'x'), null).slice(2);
     expect(only?.lines[0]?.text).toBe('mavproxy.py --mav20 --master=tcp:127.0.0.1:5790');
     expect(settingsFor([], null)).toEqual([]);
-    expect(signerFor(waysIn(ENDPOINTS, 'cloud.example'))).toBe(
+    expect(signerFor(outletAddresses(ENDPOINTS, 'cloud.example'))).toBe(
       'python -m dronemap_attach --server udp:cloud.example:14560',
     );
     expect(signerFor([])).toBeNull();
@@ -130,10 +130,10 @@ describe('the outlet page', () => {
     expect(closePort).toHaveBeenCalledWith('port-1');
   });
 
-  it('tells of a personal port where it is, who has it and how long', () => {
+  it('shows of a personal port where it is, who has it and how long', () => {
     expect(portPlace(PORT, 'cloud.example')).toBe('UDP cloud.example:14561');
-    expect(portLine(PORT)).toMatch(/^for the first from 192\.0\.2\.7 · until /);
-    expect(portLine({ ...PORT, peer: '192.0.2.7:5000', refused: 3 })).toMatch(
+    expect(portText(PORT)).toMatch(/^for the first from 192\.0\.2\.7 · until /);
+    expect(portText({ ...PORT, peer: '192.0.2.7:5000', refused: 3 })).toMatch(
       /^192\.0\.2\.7:5000 has it · until .* · 3 messages of others kept outside$/,
     );
   });

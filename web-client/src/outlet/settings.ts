@@ -1,5 +1,5 @@
-/** One way in: what it listens on, as a client is to name it. */
-export interface WayIn {
+/** An address that ground stations attach to. */
+export interface OutletAddress {
   scheme: 'udp' | 'tcp' | 'dtls' | 'ws' | 'wss';
   host: string;
   port: string;
@@ -12,7 +12,7 @@ export interface ProgramSettings {
   lines: { label: string; text: string }[];
 }
 
-const SERVERS: Record<string, WayIn['scheme']> = {
+const SERVERS: Record<string, OutletAddress['scheme']> = {
   udpserver: 'udp',
   tcpserver: 'tcp',
   dtlsserver: 'dtls',
@@ -21,8 +21,8 @@ const SERVERS: Record<string, WayIn['scheme']> = {
 };
 
 /** `host`: by which this page reached the server; an endpoint that listens everywhere is reached by it too. */
-export function waysIn(endpoints: readonly string[], host: string): WayIn[] {
-  return endpoints.flatMap((url): WayIn[] => {
+export function outletAddresses(endpoints: readonly string[], host: string): OutletAddress[] {
+  return endpoints.flatMap((url): OutletAddress[] => {
     const match = /^(\w+):\/\/(\[[^\]]*\]|[^:/?]*):(\d+)/.exec(url);
     const scheme = SERVERS[match?.[1] ?? ''];
     const port = match?.[3];
@@ -35,23 +35,26 @@ export function waysIn(endpoints: readonly string[], host: string): WayIn[] {
   });
 }
 
-export function wayWords({ scheme, host, port }: WayIn): string {
+export function addressText({ scheme, host, port }: OutletAddress): string {
   return scheme === 'ws' || scheme === 'wss'
     ? `${scheme}://${host}:${port}`
     : `${scheme.toUpperCase()} ${host}:${port}`;
 }
 
-/** What signs for programs that cannot, in a shell; null: it finds no way in. */
-export function signerFor(ways: readonly WayIn[]): string | null {
-  const way = ways.find((one) => one.scheme === 'udp' || one.scheme === 'tcp');
+/** The command line of the signer, for programs that cannot sign; null: there is no address for it. */
+export function signerFor(addresses: readonly OutletAddress[]): string | null {
+  const way = addresses.find((one) => one.scheme === 'udp' || one.scheme === 'tcp');
   return way === undefined
     ? null
     : `python -m dronemap_attach --server ${way.scheme}:${way.host}:${way.port}`;
 }
 
 /** Exact settings of the usual programs; `passphrase` null: it is not known here any more. */
-export function settingsFor(ways: readonly WayIn[], passphrase: string | null): ProgramSettings[] {
-  const way = ways.find((one) => one.scheme === 'udp') ?? ways.find((one) => one.scheme === 'tcp');
+export function settingsFor(
+  addresses: readonly OutletAddress[],
+  passphrase: string | null,
+): ProgramSettings[] {
+  const way = addresses.find((one) => one.scheme === 'udp') ?? addresses.find((one) => one.scheme === 'tcp');
   if (way === undefined) {
     return [];
   }

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import type { Attempt } from '../state/commands.svelte';
 import { aDrone } from '../testing';
-import { whyNot, wordsFor } from './action';
-import { missionLines, missionSummary, whyNoStart } from './mission-lines';
+import { whyNot, attemptText } from './action';
+import { missionRows, missionSummary, whyNoStart } from './mission-text';
 
 const attempt = (change: Partial<Attempt>): Attempt => ({
   id: 'c1',
@@ -31,27 +31,27 @@ describe('controls', () => {
       reason: 'PreArm: GPS not ready',
       code: 'vehicle-failed',
     } as const;
-    expect(wordsFor(attempt({ outcome }))).toEqual({
+    expect(attemptText(attempt({ outcome }))).toEqual({
       tone: 'bad',
       words: 'Refused by the vehicle. PreArm: GPS not ready',
     });
   });
 
   it('show how far an upload is', () => {
-    const said = wordsFor(attempt({ phase: 'accepted', progress: { done: 2, total: 5 } }));
-    expect(said).toEqual({ tone: 'busy', words: 'Accepted 2 of 5, under way…' });
+    const text = attemptText(attempt({ phase: 'accepted', progress: { done: 2, total: 5 } }));
+    expect(text).toEqual({ tone: 'busy', words: 'Accepted 2 of 5, under way…' });
   });
 
   it('say that a flight has begun, not that it has ended', () => {
     const outcome = { result: 'succeeded', by: 'vehicle', reason: null, code: null } as const;
-    expect(wordsFor(attempt({ type: 'returnToLaunch', outcome })).words).toBe('Done: it is under way');
-    expect(wordsFor(attempt({ type: 'arm', outcome })).words).toBe('Done');
+    expect(attemptText(attempt({ type: 'returnToLaunch', outcome })).words).toBe('Under way');
+    expect(attemptText(attempt({ type: 'arm', outcome })).words).toBe('Done');
   });
 
   it('never call a command without known outcome a success', () => {
-    expect(wordsFor(attempt({ outcome: null })).tone).toBe('bad');
+    expect(attemptText(attempt({ outcome: null })).tone).toBe('bad');
     expect(
-      wordsFor(
+      attemptText(
         attempt({ outcome: { result: 'timedOut', by: null, reason: null, code: 'command-timed-out' } }),
       ).tone,
     ).toBe('bad');
@@ -75,7 +75,7 @@ describe('mission of the vehicle', () => {
   } satisfies Parameters<typeof missionSummary>[0];
 
   it('reads as lines with what is reached and what comes now', () => {
-    expect(missionLines(mission).map(({ words, state }) => [words, state])).toEqual([
+    expect(missionRows(mission).map(({ words, state }) => [words, state])).toEqual([
       ['Take off to 20 m', 'reached'],
       ['Waypoint at 30 m', 'current'],
       ['Return to launch', 'ahead'],
@@ -89,7 +89,7 @@ describe('mission of the vehicle', () => {
     );
     expect(missionSummary({ ...mission, reached: [0, 1, 2] })).toBe('Mission complete: 3 items.');
     expect(missionSummary({ ...mission, items: [], total: 0 })).toBe('No mission on the vehicle.');
-    expect(missionSummary(null)).toContain('not known');
+    expect(missionSummary(null)).toContain('unknown');
   });
 
   it('believes the vehicle when it says that the mission is complete or paused', () => {

@@ -1,7 +1,7 @@
 import type { CommandKind, Drone, Outcome } from '../api/types';
 import type { Attempt } from '../state/commands.svelte';
 
-/** Why a control cannot be used now, or null: our own reasons first, then what the cloud says of the action. */
+/** The reason for which a control cannot be used now, or null: the page's own reason first, then that of the cloud. */
 export function whyNot(drone: Drone, type: CommandKind, own: string | null): string | null {
   if (own !== null) {
     return own;
@@ -13,7 +13,7 @@ export function whyNot(drone: Drone, type: CommandKind, own: string | null): str
   return action.allowed ? null : (action.why ?? 'Not possible now.');
 }
 
-/** Why its motors cannot be stopped whatever it does, or null. Robots stand still instead. */
+/** The reason for which its motors cannot be stopped, or null. Robots stop instead. */
 export function whyNoStop(drone: Drone): string | null {
   const { emergencyStop, forceDisarm } = drone.actions;
   const robot = emergencyStop?.allowed === true;
@@ -25,7 +25,7 @@ export function whyNoStop(drone: Drone): string | null {
 
 export type AttemptTone = 'busy' | 'good' | 'bad';
 
-export interface AttemptWords {
+export interface AttemptText {
   tone: AttemptTone;
   words: string;
 }
@@ -39,21 +39,21 @@ const GOES_ON: ReadonlySet<CommandKind> = new Set([
   'startMission',
 ]);
 
-/** What became of a press, in words. */
-export function wordsFor(attempt: Attempt): AttemptWords {
+/** The text and tone of a command's phase or outcome. */
+export function attemptText(attempt: Attempt): AttemptText {
   if (attempt.problem !== null) {
     return { tone: 'bad', words: `Not sent. ${attempt.problem}` };
   }
   if (attempt.phase !== 'done') {
-    return { tone: 'busy', words: busyWords(attempt) };
+    return { tone: 'busy', words: progressText(attempt) };
   }
   if (attempt.outcome?.result === 'succeeded' && GOES_ON.has(attempt.type)) {
-    return { tone: 'good', words: 'Done: it is under way' };
+    return { tone: 'good', words: 'Under way' };
   }
-  return endWords(attempt.outcome);
+  return outcomeText(attempt.outcome);
 }
 
-function endWords(outcome: Outcome | null): AttemptWords {
+function outcomeText(outcome: Outcome | null): AttemptText {
   const reason = outcome?.reason ? ` ${outcome.reason}` : '';
   switch (outcome?.result) {
     case 'succeeded':
@@ -67,11 +67,11 @@ function endWords(outcome: Outcome | null): AttemptWords {
     case 'superseded':
       return { tone: 'bad', words: `Replaced by a later command.${reason}` };
     default:
-      return { tone: 'bad', words: `It is not known whether the vehicle did it.${reason}` };
+      return { tone: 'bad', words: `Unknown whether the vehicle did it.${reason}` };
   }
 }
 
-function busyWords(attempt: Attempt): string {
+function progressText(attempt: Attempt): string {
   const part = attempt.progress === null ? '' : ` ${attempt.progress.done} of ${attempt.progress.total}`;
   switch (attempt.phase) {
     case 'sending':

@@ -48,10 +48,10 @@ describe('mission section', () => {
     const station = stationWithLink();
     const send = vi.spyOn(station.rest, 'sendCommand').mockResolvedValue(aCommand({ type: 'startMission' }));
     show(station, flyable());
-    expect(screen.getByText(/flies its mission on to the end/)).toBeDefined();
+    expect(screen.getByText(/flies its mission to the end/)).toBeDefined();
 
     await fireEvent.change(screen.getByLabelText('If the cloud is lost'), { target: { value: 'rtl' } });
-    expect(screen.getByText(/breaks off and returns to launch/)).toBeDefined();
+    expect(screen.getByText(/aborts its mission and returns to launch/)).toBeDefined();
     await fireEvent.click(screen.getByRole('button', { name: 'Start mission' }));
 
     expect(send).toHaveBeenCalledWith(
@@ -66,7 +66,7 @@ describe('mission section', () => {
     station.planner.begin('d1');
     station.planner.edit((draft) => addWaypoint(draft, { latitude: 47.4, longitude: 8.5 }, 20));
     station.planner.markSent();
-    station.planner.becameTrue('d1');
+    station.planner.markUploaded('d1');
     const { rerender } = show(station, flyable({ mission: aMission() }));
     await tick();
     scrolled.mockClear();
@@ -89,7 +89,7 @@ describe('mission section', () => {
     expect(screen.getByText(/^Item 2 is 22\.\d+ km away from the drone\.$/)).toBeDefined();
     await fireEvent.click(upload);
     expect(send).not.toHaveBeenCalled();
-    await fireEvent.click(screen.getByLabelText('This is meant so'));
+    await fireEvent.click(screen.getByLabelText('This is intended'));
     await fireEvent.click(upload);
 
     expect(send).toHaveBeenCalledOnce();

@@ -6,7 +6,7 @@ export interface Point {
   y: number;
 }
 
-/** What part of a vehicle's own frame is drawn, in metres. */
+/** The part of a vehicle's own frame that is drawn, in metres. */
 export interface Frame {
   left: number;
   bottom: number;
@@ -38,7 +38,7 @@ export function frameOf(map: Frame | null, local: LocalPosition | null, hits: Po
   return { left: middle.x - size / 2, bottom: middle.y - size / 2, width: size, height: size };
 }
 
-/** Where the rays of a sweep met something, in the frame of the vehicle's map; none where it does not say how it stands. */
+/** The hits of a sweep in the frame of the vehicle's map; none without its heading. */
 export function hitsOf(scan: Sensed['scan'], local: LocalPosition | null): Point[] {
   if (scan === null || local === null || local.yaw === null) {
     return [];

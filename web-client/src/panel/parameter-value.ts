@@ -16,7 +16,7 @@ export function valueText(type: ParameterType, value: number): string {
   return String(type === 'real32' ? Number(value.toPrecision(7)) : value);
 }
 
-/** What is allowed, in words. */
+/** The allowed values, as text. */
 export function allowedText(type: ParameterType): string {
   const range = RANGES[type];
   return range === undefined ? 'a number' : `a whole number from ${range[0]} to ${range[1]}`;

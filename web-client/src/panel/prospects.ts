@@ -2,27 +2,27 @@ import type { Prospect, Prospects } from '../api/virtual';
 import { counted } from '../ui/format';
 
 /** The first in turn that the drone could serve is the one that it is sent to fly. */
-export function fliesAtOnce({ waiting }: Prospects): Prospect | null {
+export function nextFlight({ waiting }: Prospects): Prospect | null {
   return waiting.find((one) => one.flies) ?? null;
 }
 
-export function flightWords({ name, owner, waypoints }: Prospect): string {
+export function prospectText({ name, owner, waypoints }: Prospect): string {
   const what =
     name === null ? 'a virtual drone of somebody else' : `“${name}”${owner === null ? '' : ` of ${owner}`}`;
   return `${what} (${counted(waypoints, 'waypoint')})`;
 }
 
-/** What else waits: what it flies later, and what it cannot fly. */
-export function afterwards(told: Prospects): string[] {
-  const first = fliesAtOnce(told);
-  return told.waiting
+/** The other waiting missions: those that it flies later, and those that it cannot fly. */
+export function laterFlights(prospects: Prospects): string[] {
+  const first = nextFlight(prospects);
+  return prospects.waiting
     .filter((one) => one !== first)
     .map((one) =>
-      one.flies ? `Then ${flightWords(one)}.` : `Not for ${flightWords(one)}: ${one.why ?? ''}`,
+      one.flies ? `Then ${prospectText(one)}.` : `Not for ${prospectText(one)}: ${one.why ?? ''}`,
     );
 }
 
 /** The same drone would set off for the same. */
 export function sameFlights(before: Prospects, now: Prospects): boolean {
-  return JSON.stringify(fliesAtOnce(before)) === JSON.stringify(fliesAtOnce(now));
+  return JSON.stringify(nextFlight(before)) === JSON.stringify(nextFlight(now));
 }

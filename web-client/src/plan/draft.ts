@@ -134,11 +134,11 @@ export function whyNotReady(draft: Draft, numberOf = ordinal): string | null {
     return 'Add a waypoint first: click the map.';
   }
   if (draft.takeOff && !isWithin(TAKE_OFF_RANGE, draft.takeOffAltitude)) {
-    return altitudeWords('The altitude of the take-off', TAKE_OFF_RANGE);
+    return altitudeRangeText('The altitude of the take-off', TAKE_OFF_RANGE);
   }
   const bad = draft.waypoints.findIndex((waypoint) => !isWithin(PLACE_RANGE, waypoint.altitude));
   if (bad >= 0) {
-    return altitudeWords(`The altitude of item ${numberOf(bad)}`, PLACE_RANGE);
+    return altitudeRangeText(`The altitude of item ${numberOf(bad)}`, PLACE_RANGE);
   }
   return itemsOf(draft).length > MOST_ITEMS ? `A mission holds at most ${MOST_ITEMS} items.` : null;
 }
@@ -148,7 +148,7 @@ export function isWithin(range: AltitudeRange, altitude: number | null): boolean
 }
 
 /** The sentence of the cloud itself: "… must be 1 to 500 m." */
-export function altitudeWords(what: string, range: AltitudeRange): string {
+export function altitudeRangeText(what: string, range: AltitudeRange): string {
   return `${what} must be ${range.lowest} to ${range.highest} m.`;
 }
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { draftFeatures, missionFeatures } from '../map/features';
-import { missionLines } from '../panel/mission-lines';
+import { missionRows } from '../panel/mission-text';
 import type { MissionItem } from '../api/types';
 import { aDrone } from '../testing';
 import { addWaypoint, emptyDraft, whyNotReady, type Draft } from './draft';
@@ -36,7 +36,7 @@ describe('numbers of items', () => {
       notice: null,
       hash: null,
     };
-    expect(missionLines(mission).map((line) => `${line.number} ${line.words}`)).toEqual([
+    expect(missionRows(mission).map((line) => `${line.number} ${line.words}`)).toEqual([
       '1 Take off to 20 m',
       '2 Waypoint at 20 m',
       '3 change speed',

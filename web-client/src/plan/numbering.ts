@@ -19,7 +19,7 @@ export function waypointNumber(draft: Draft, drone: Drone | null, index: number)
   return itemNumber(beginsWithTakeOff(draft, drone) ? index + 1 : index);
 }
 
-/** How high the first item climbs, metres above home; null when only the vehicle's home can tell. */
+/** The height of the take-off, metres above home; null when it depends on the vehicle's home. */
 export function takeOffHeight(draft: Draft): number | null {
   if (draft.takeOff) {
     return draft.takeOffAltitude;

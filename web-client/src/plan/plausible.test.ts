@@ -1,19 +1,19 @@
 import { describe, expect, it } from 'vitest';
 import type { MissionItem } from '../api/types';
-import { doubtsAbout } from './plausible';
+import { plausibilityWarnings } from './plausible';
 
 const HERE = { latitude: 47, longitude: 8 };
 const CLIMB: MissionItem = { type: 'takeOff', altitude: 20 };
 
 function sentencesOf(items: MissionItem[], from: typeof HERE | null): string[] {
-  return doubtsAbout(items, from).map((doubt) => doubt.sentence);
+  return plausibilityWarnings(items, from).map((warning) => warning.sentence);
 }
 
 function at(latitude: number, altitude = 20): MissionItem {
   return { type: 'waypoint', latitude, longitude: 8, altitude, altitudeReference: 'home' };
 }
 
-describe('doubts about a mission', () => {
+describe('warnings about a mission', () => {
   it('are none for an ordinary one', () => {
     expect(sentencesOf([CLIMB, at(47.001), at(47.002, 120)], HERE)).toEqual([]);
   });
@@ -43,9 +43,9 @@ describe('doubts about a mission', () => {
     ]);
   });
 
-  it('are the same doubt while the drone moves, and a new one when the waypoint does', () => {
+  it('are the same warning while the drone moves, and a new one when the waypoint does', () => {
     const far = (latitude: number, from: typeof HERE): string | undefined =>
-      doubtsAbout([CLIMB, at(latitude)], from)[0]?.about;
+      plausibilityWarnings([CLIMB, at(latitude)], from)[0]?.key;
     expect(far(47.1, { latitude: 47.001, longitude: 8 })).toBe(far(47.1, HERE));
     expect(far(47.2, HERE)).not.toBe(far(47.1, HERE));
   });

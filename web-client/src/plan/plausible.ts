@@ -8,9 +8,9 @@ const LONG_LEG_METERS = 20_000;
 const LONG_WAY_METERS = 50_000;
 const HIGH_METERS = 500;
 
-/** Something that may be a slip of the hand. `about` stays the same while the drone moves, the sentence may not. */
-export interface Doubt {
-  about: string;
+/** Something in a mission that may be a mistake. `key` stays the same while the drone moves, the sentence may not. */
+export interface PlausibilityWarning {
+  key: string;
   sentence: string;
 }
 
@@ -19,10 +19,13 @@ interface Place extends Coordinates {
 }
 
 /**
- * What in a mission may be a slip of the hand, to be looked at before it is flown. Nothing of it is forbidden.
+ * Finds what may be a mistake in a mission, to be confirmed before it is flown. Nothing of it is forbidden.
  * Items are the whole mission as on the vehicle; `from` is where the drone is, when that is known.
  */
-export function doubtsAbout(items: readonly MissionItem[], from: Coordinates | null): Doubt[] {
+export function plausibilityWarnings(
+  items: readonly MissionItem[],
+  from: Coordinates | null,
+): PlausibilityWarning[] {
   const places = items.flatMap((item, index): Place[] =>
     item.type === 'waypoint'
       ? [{ number: index + 1, latitude: item.latitude, longitude: item.longitude }]
@@ -31,7 +34,7 @@ export function doubtsAbout(items: readonly MissionItem[], from: Coordinates | n
   return [...farPlaces(places, from), ...longLeg(places), ...longWay(places), ...oddAltitudes(items)];
 }
 
-function farPlaces(places: readonly Place[], from: Coordinates | null): Doubt[] {
+function farPlaces(places: readonly Place[], from: Coordinates | null): PlausibilityWarning[] {
   if (from === null) {
     return [];
   }
@@ -48,10 +51,10 @@ function farPlaces(places: readonly Place[], from: Coordinates | null): Doubt[] 
     far.length === 1
       ? `Item ${place.number} is ${distance(meters)} away from the drone.`
       : `${far.length} waypoints are more than ${FAR_METERS / 1000} km away from the drone; item ${place.number} is ${distance(meters)} away.`;
-  return [{ about: `far ${nameOf(place)}`, sentence }];
+  return [{ key: `far ${nameOf(place)}`, sentence }];
 }
 
-function longLeg(places: readonly Place[]): Doubt[] {
+function longLeg(places: readonly Place[]): PlausibilityWarning[] {
   for (let i = 1; i < places.length; i++) {
     const start = places[i - 1] as Place;
     const end = places[i] as Place;
@@ -59,7 +62,7 @@ function longLeg(places: readonly Place[]): Doubt[] {
     if (meters > LONG_LEG_METERS) {
       return [
         {
-          about: `leg ${nameOf(start)} ${nameOf(end)}`,
+          key: `leg ${nameOf(start)} ${nameOf(end)}`,
           sentence: `From item ${start.number} to item ${end.number} it is ${distance(meters)}.`,
         },
       ];
@@ -68,14 +71,14 @@ function longLeg(places: readonly Place[]): Doubt[] {
   return [];
 }
 
-function longWay(places: readonly Place[]): Doubt[] {
+function longWay(places: readonly Place[]): PlausibilityWarning[] {
   const meters = wayLengthMeters(places);
   return meters > LONG_WAY_METERS
-    ? [{ about: `way ${distance(meters)}`, sentence: `The whole way is ${distance(meters)}.` }]
+    ? [{ key: `way ${distance(meters)}`, sentence: `The whole way is ${distance(meters)}.` }]
     : [];
 }
 
-function oddAltitudes(items: readonly MissionItem[]): Doubt[] {
+function oddAltitudes(items: readonly MissionItem[]): PlausibilityWarning[] {
   return items.flatMap((item, index) => {
     if (item.type !== 'waypoint' || item.altitudeReference === 'amsl') {
       return [];
@@ -89,7 +92,7 @@ function oddAltitudes(items: readonly MissionItem[]): Doubt[] {
           : null;
     return words === null
       ? []
-      : [{ about: `altitude ${index} ${altitude}`, sentence: `Item ${index + 1} ${words}.` }];
+      : [{ key: `altitude ${index} ${altitude}`, sentence: `Item ${index + 1} ${words}.` }];
   });
 }
 

@@ -2,8 +2,8 @@ import type { Feature, FeatureCollection, Position } from 'geojson';
 import type { Barrier, MissionRun, RunDrone } from '../api/runs';
 import type { Zone } from '../api/zones';
 import type { Coordinates } from '../geo/coordinates';
-import { TOUR_TONES } from '../tours/tour-line';
-import { WAYPOINT_LOOKS } from './run-line';
+import { TOUR_TONES } from '../tours/tour-text';
+import { WAYPOINT_LOOKS } from './run-text';
 
 /** Further drones begin anew. */
 export function toneOf(run: MissionRun, drone: string): number {
@@ -16,14 +16,14 @@ export function runFeatures(
   run: MissionRun | null,
   chosen: string | null,
   marks: readonly Coordinates[],
-  standOf: (drone: string) => Coordinates | null,
+  startOf: (drone: string) => Coordinates | null,
 ): FeatureCollection {
   if (run === null) {
     return { type: 'FeatureCollection', features: [] };
   }
   const places = new Map(run.waypoints.map((waypoint) => [waypoint.id, waypoint]));
   const features = [
-    ...run.drones.flatMap((drone) => wayOf(run, drone, places, standOf(drone.id))),
+    ...run.drones.flatMap((drone) => wayOf(run, drone, places, startOf(drone.id))),
     ...run.waypoints.map((waypoint) => {
       const { tone, mark } = WAYPOINT_LOOKS[waypoint.state];
       const label = mark === '' ? waypoint.id : `${waypoint.id} ${mark}`;
@@ -34,10 +34,10 @@ export function runFeatures(
   return { type: 'FeatureCollection', features };
 }
 
-/** What the drones of the run keep to beside the zones that are drawn anyway. */
+/** The barriers of the run that are not drawn as zones already. */
 export function ownBarriers(run: MissionRun | null, zones: readonly Zone[]): Barrier[] {
   const drawn = new Set(zones.map(shapeOf));
-  // One that binds some drones is told once for each of them.
+  // A barrier that binds several drones is listed once for each of them.
   const others = new Map((run?.barriers ?? []).map((barrier) => [shapeOf(barrier), barrier]));
   return [...others].filter(([shape]) => !drawn.has(shape)).map(([, barrier]) => barrier);
 }
@@ -50,10 +50,10 @@ function wayOf(
   run: MissionRun,
   drone: RunDrone,
   places: ReadonlyMap<string, Coordinates>,
-  stand: Coordinates | null,
+  start: Coordinates | null,
 ): Feature[] {
   const next = drone.next.map((id) => places.get(id)).filter((place) => place !== undefined);
-  const way = stand === null ? next : [stand, ...next];
+  const way = start === null ? next : [start, ...next];
   if (run.state === 'over' || next.length === 0 || way.length < 2) {
     return [];
   }

@@ -16,7 +16,7 @@ afterEach(cleanup);
 
 function runsWith(calls: Partial<RunCalls>): Runs {
   const runs = new Runs(calls as RunCalls);
-  runs.hear(aRun());
+  runs.apply(aRun());
   runs.show('r1');
   return runs;
 }
@@ -24,8 +24,8 @@ function runsWith(calls: Partial<RunCalls>): Runs {
 describe('the runs that the page knows', () => {
   it('takes no older picture for the newest', () => {
     const runs = runsWith({});
-    runs.hear(aRun({ journal: 9, state: 'stopping' }));
-    runs.hear(aRun({ journal: 8 }));
+    runs.apply(aRun({ journal: 9, state: 'stopping' }));
+    runs.apply(aRun({ journal: 8 }));
     expect(runs.shown?.state).toBe('stopping');
     expect(runs.underWay).toHaveLength(1);
   });
@@ -36,7 +36,7 @@ describe('the runs that the page knows', () => {
       .mockRejectedValueOnce(new Error('Too far.'))
       .mockResolvedValue(aRun({ journal: 5 }));
     const runs = runsWith({ add });
-    runs.take('add');
+    runs.selectTool('add');
     runs.mark({ latitude: 47.5, longitude: 8 });
     await runs.addMarks(30);
     expect(runs.problem).toBe('Too far.');
@@ -52,7 +52,7 @@ describe('the runs that the page knows', () => {
     const move = vi.fn().mockResolvedValue(aRun());
     const runs = runsWith({ move });
     runs.choose('2');
-    runs.take('move');
+    runs.selectTool('move');
     runs.mark({ latitude: 1, longitude: 2 });
     runs.mark({ latitude: 3, longitude: 4 });
     await runs.moveChosen();
@@ -61,8 +61,8 @@ describe('the runs that the page knows', () => {
 
   it('puts a tool aside when the run takes no wishes any more', () => {
     const runs = runsWith({});
-    runs.take('add');
-    runs.hear(aRun({ journal: 5, state: 'over' }));
+    runs.selectTool('add');
+    runs.apply(aRun({ journal: 5, state: 'over' }));
     expect(runs.tool).toBeNull();
   });
 
@@ -83,7 +83,7 @@ function panelFor(role: Role, run: MissionRun): Station {
   const station = new Station();
   station.connection.up();
   station.session = { name: 'olga', role, mustChangePassword: false, organisation: null };
-  station.runs.hear(run);
+  station.runs.apply(run);
   station.runs.show(run.id);
   render(RunPanel, { props: { run }, context: new Map([[STATION, station]]) });
   return station;
@@ -105,7 +105,13 @@ describe('the panel of a run', () => {
     expect(screen.getByText('A pilot took over.')).toBeDefined();
     expect(screen.getByText('Falcon has little battery left.')).toBeDefined();
     const buttons = screen.getAllByRole('button').map((one) => one.textContent.trim());
-    for (const never of ['End the run', 'Add waypoints', 'Change', 'Fly the new plan', 'Resume Falcon']) {
+    for (const never of [
+      'End (all return)',
+      'Add waypoints',
+      'Change',
+      'Fly the new plan',
+      'Resume Falcon',
+    ]) {
       expect(buttons).not.toContain(never);
     }
   });
@@ -129,9 +135,9 @@ describe('the panel of a run', () => {
 
   it('leaves pausing and ending within reach while places are marked', async () => {
     const station = panelFor('operator', aRun({}));
-    station.runs.take('add');
+    station.runs.selectTool('add');
     await tick();
-    for (const name of ['Stop marking', 'Pause the run', 'End the run']) {
+    for (const name of ['Stop marking', 'Pause', 'End (all return)']) {
       expect(screen.getByRole('button', { name })).toBeDefined();
     }
   });

@@ -24,7 +24,9 @@ describe('registration', () => {
 
     await fireEvent.click(screen.getByRole('button', { name: 'Ask for an account' }));
 
-    expect((await screen.findByRole('status')).textContent).toContain('An administrator has to let you in');
+    expect((await screen.findByRole('status')).textContent).toContain(
+      'When an administrator has approved it',
+    );
     expect(register).toHaveBeenCalledWith('carol', 'long enough', null);
   });
 
@@ -38,7 +40,7 @@ describe('registration', () => {
     const signIn = vi.spyOn(station, 'signIn').mockResolvedValue();
     const onback = await fill('code', station);
 
-    await fireEvent.click(screen.getByRole('button', { name: 'Make my account' }));
+    await fireEvent.click(screen.getByRole('button', { name: 'Create account' }));
 
     await vi.waitFor(() => expect(signIn).toHaveBeenCalledWith('carol', 'long enough'));
     expect(onback).toHaveBeenCalled();

@@ -13,7 +13,10 @@ function show(station: Station): void {
 
 function answering(type: string, detail: string): Station {
   const station = new Station();
-  vi.spyOn(station.rest.accounts, 'waysIn').mockResolvedValue({ policy: 'invitation', signInWith: null });
+  vi.spyOn(station.rest.accounts, 'registrationOptions').mockResolvedValue({
+    policy: 'invitation',
+    signInWith: null,
+  });
   vi.spyOn(station.rest, 'session').mockRejectedValue(new Problem({ status: 401, type, detail }));
   return station;
 }
@@ -40,11 +43,11 @@ describe('sign-in', () => {
   it('offers to ask for an account only where that is possible', async () => {
     const station = answering('urn:dronemap:problem:not-signed-in', 'Sign in first.');
     show(station);
-    await vi.waitFor(() => expect(station.rest.accounts.waysIn).toHaveBeenCalled());
+    await vi.waitFor(() => expect(station.rest.accounts.registrationOptions).toHaveBeenCalled());
     expect(screen.queryByRole('button', { name: /Ask for one/ })).toBeNull();
 
     cleanup();
-    vi.spyOn(station.rest.accounts, 'waysIn').mockResolvedValue({
+    vi.spyOn(station.rest.accounts, 'registrationOptions').mockResolvedValue({
       policy: 'approval',
       signInWith: null,
     });
@@ -55,11 +58,11 @@ describe('sign-in', () => {
   it('offers the provider only where there is one', async () => {
     const station = answering('urn:dronemap:problem:not-signed-in', 'Sign in first.');
     show(station);
-    await vi.waitFor(() => expect(station.rest.accounts.waysIn).toHaveBeenCalled());
+    await vi.waitFor(() => expect(station.rest.accounts.registrationOptions).toHaveBeenCalled());
     expect(screen.queryByRole('link', { name: /Sign in with/ })).toBeNull();
 
     cleanup();
-    vi.spyOn(station.rest.accounts, 'waysIn').mockResolvedValue({
+    vi.spyOn(station.rest.accounts, 'registrationOptions').mockResolvedValue({
       policy: 'off',
       signInWith: 'Fleet login',
     });

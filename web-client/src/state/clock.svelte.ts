@@ -1,23 +1,23 @@
-/** The cloud's time as far as this page can tell: its own clock corrected by what the pings said. */
+/** The cloud's time: the clock of this page, corrected by the pings of the stream. */
 export class CloudClock {
-  /** Milliseconds of the cloud's time; ticks once a second, for ages on the page. */
+  /** Milliseconds of the cloud's time, refreshed once a second for ages on the page. */
   now = $state(Date.now());
   #offset = 0;
 
-  /** The cloud says what time it is; the way here takes time too, so only the newest word counts. */
-  hear(iso: string): void {
+  /** Sets the offset from the time in a ping. The newest ping counts alone, since each has its own delay. */
+  synchronise(iso: string): void {
     const at = Date.parse(iso);
     if (!Number.isNaN(at)) {
       this.#offset = at - Date.now();
-      this.tick();
+      this.refresh();
     }
   }
 
-  tick(): void {
+  refresh(): void {
     this.now = Date.now() + this.#offset;
   }
 
-  /** How long ago, in milliseconds; null when unknown. */
+  /** The age in milliseconds; null when unknown. */
   since(iso: string | null): number | null {
     return iso === null ? null : Math.max(0, this.now - Date.parse(iso));
   }

@@ -2,14 +2,14 @@ import { Problem, sentenceFor } from '../api/problem';
 import type { RestClient } from '../api/rest';
 import type { Command, CommandKind, CommandPhase, CommandRequest, Outcome } from '../api/types';
 
-/** One press of a control: what became of it so far. */
+/** One press of a control and the phase that its command has reached. */
 export interface Attempt {
   id: string;
   drone: string;
   type: CommandKind;
   phase: 'sending' | CommandPhase;
   outcome: Outcome | null;
-  /** Set when the cloud did not take the command at all. */
+  /** Set when the cloud did not accept the request. */
   problem: string | null;
   progress: { done: number; total: number } | null;
 }
@@ -49,20 +49,20 @@ export class Commands {
     return attempt !== null && attempt.phase !== 'done';
   }
 
-  /** Resolves when the cloud has taken or refused the command; its flight goes on in `attempts`. */
+  /** Resolves when the cloud has accepted or refused the command; later phases appear in `attempts`. */
   async send(drone: string, request: CommandRequest): Promise<Attempt> {
     const id = this.#newId();
     const { type } = request;
     this.#put({ id, drone, type, phase: 'sending', outcome: null, problem: null, progress: null });
     try {
-      this.hear(await this.#port.sendCommand(drone, { ...request, id }));
+      this.apply(await this.#port.sendCommand(drone, { ...request, id }));
     } catch (thrown) {
       this.#fail(id, drone, type, thrown);
     }
     return this.attempt(drone, type) as Attempt;
   }
 
-  /** The same, resolving when it has ended: with an outcome, or without one when the cloud did not take it. */
+  /** The same, resolving when it has ended: with an outcome, or without one when the cloud did not accept it. */
   async toEnd(drone: string, request: CommandRequest): Promise<Attempt> {
     const sent = await this.send(drone, request);
     if (sent.phase === 'done') {
@@ -71,8 +71,8 @@ export class Commands {
     return new Promise((resolve) => this.#awaited.set(sent.id, resolve));
   }
 
-  /** News of a command, from anybody. Old news changes nothing. */
-  hear(command: Command): void {
+  /** Applies an update of any command; an older phase than the known one changes nothing. */
+  apply(command: Command): void {
     const attempt = this.attempt(command.drone, command.type);
     if (attempt?.id === command.id && PHASE_ORDER[command.phase] >= PHASE_ORDER[attempt.phase]) {
       const next: Attempt = {
@@ -108,7 +108,7 @@ export class Commands {
     const open = [...this.attempts.values()].filter((attempt) => attempt.phase !== 'done');
     for (const attempt of open) {
       try {
-        this.hear(await this.#port.command(attempt.id));
+        this.apply(await this.#port.command(attempt.id));
       } catch (thrown) {
         this.#fail(attempt.id, attempt.drone, attempt.type, thrown);
       }

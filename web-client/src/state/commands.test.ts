@@ -30,10 +30,10 @@ describe('commands', () => {
     const commands = following({}, onSuccess);
     await commands.send('d1', { type: 'arm' });
     expect(commands.attempt('d1', 'arm')?.phase).toBe('sent');
-    commands.hear(aCommand({ phase: 'accepted' }));
+    commands.apply(aCommand({ phase: 'accepted' }));
     expect(commands.attempt('d1', 'arm')?.phase).toBe('accepted');
-    commands.hear(done());
-    commands.hear(done());
+    commands.apply(done());
+    commands.apply(done());
     expect(commands.attempt('d1', 'arm')?.outcome?.result).toBe('succeeded');
     expect(onSuccess).toHaveBeenCalledTimes(1);
   });
@@ -42,7 +42,7 @@ describe('commands', () => {
     let answer: (command: Command) => void = () => undefined;
     const commands = following({ sendCommand: () => new Promise((resolve) => (answer = resolve)) });
     const sending = commands.send('d1', { type: 'arm' });
-    commands.hear(done());
+    commands.apply(done());
     answer(aCommand({ phase: 'sent' }));
     await sending;
     expect(commands.attempt('d1', 'arm')?.phase).toBe('done');
@@ -69,7 +69,7 @@ describe('commands', () => {
 
   it('keeps the commands of other people in the history but out of my controls', () => {
     const commands = following({});
-    commands.hear(aCommand({ id: 'foreign', by: 'bob' }));
+    commands.apply(aCommand({ id: 'foreign', by: 'bob' }));
     expect(commands.attempt('d1', 'arm')).toBeNull();
     expect(commands.history.get('d1')).toHaveLength(1);
   });
@@ -84,7 +84,7 @@ describe('commands', () => {
   it('keeps the newest fifty of each drone', () => {
     const commands = following({});
     for (let i = 0; i < 60; i++) {
-      commands.hear(aCommand({ id: `x${i}` }));
+      commands.apply(aCommand({ id: `x${i}` }));
     }
     expect(commands.history.get('d1')).toHaveLength(50);
     expect(commands.history.get('d1')?.[0]?.id).toBe('x59');

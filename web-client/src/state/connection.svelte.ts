@@ -1,26 +1,26 @@
 export type ConnectionState = 'connecting' | 'up' | 'down';
 
-/** Whether what the page shows is true now, and since when it is not. Ages are of the wall clock, which goes on in sleep. */
+/** The state of the connection to the cloud. Ages are by the wall clock, which goes on in sleep. */
 export class Connection {
   state = $state<ConnectionState>('connecting');
   /** By `performance.now`. */
   retryAt = $state<number | null>(null);
-  #heardAt: number | null = null;
+  #receivedAt: number | null = null;
   #downSince = $state<number | null>(null);
   #now = $state(Date.now());
   #retryNow = $state(performance.now());
 
-  /** Another session: nothing of it was heard yet. */
+  /** Another session: nothing of it was received yet. */
   begin(): void {
     this.state = 'connecting';
-    this.#heardAt = null;
+    this.#receivedAt = null;
     this.#downSince = null;
     this.retryAt = null;
   }
 
-  /** Something came: what is shown is as old as this at most. */
-  heard(): void {
-    this.#heardAt = Date.now();
+  /** A message was received: what is shown is no older than this. */
+  received(): void {
+    this.#receivedAt = Date.now();
   }
 
   up(): void {
@@ -31,21 +31,21 @@ export class Connection {
 
   down(): void {
     this.state = 'down';
-    this.tick();
-    this.#downSince ??= this.#heardAt ?? this.#now;
+    this.refresh();
+    this.#downSince ??= this.#receivedAt ?? this.#now;
   }
 
-  tick(): void {
+  refresh(): void {
     this.#now = Date.now();
     this.#retryNow = performance.now();
   }
 
-  /** What is shown may be old. */
+  /** The shown data may be old. */
   get stale(): boolean {
     return this.state !== 'up';
   }
 
-  /** Since the cloud was heard last. */
+  /** Seconds since the last message of the cloud. */
   get secondsDown(): number {
     return this.#downSince === null ? 0 : Math.max(0, Math.floor((this.#now - this.#downSince) / 1000));
   }

@@ -8,12 +8,12 @@ describe('the connection', () => {
   it('counts from the last word of the cloud, not from when that was missed', () => {
     const connection = new Connection();
     connection.up();
-    connection.heard();
+    connection.received();
     vi.advanceTimersByTime(2_500);
     connection.down();
     expect(connection.secondsDown).toBe(2);
     vi.advanceTimersByTime(5_000);
-    connection.tick();
+    connection.refresh();
     expect(connection.secondsDown).toBe(7);
     connection.down();
     expect(connection.secondsDown, 'another failed try changes nothing').toBe(7);
@@ -32,7 +32,7 @@ describe('the connection', () => {
 
   it('knows nothing of the session before', () => {
     const connection = new Connection();
-    connection.heard();
+    connection.received();
     vi.advanceTimersByTime(60_000);
     connection.begin();
     connection.down();

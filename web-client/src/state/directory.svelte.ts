@@ -1,5 +1,5 @@
 import type { RestClient } from '../api/rest';
-import { Roster } from './roster.svelte';
+import { ServerList } from './server-list.svelte';
 
 type Calls = Pick<RestClient, 'accounts' | 'grants' | 'accessKeys' | 'endpoints' | 'missions'>;
 
@@ -19,33 +19,33 @@ export class Directory {
   readonly missions;
 
   constructor(calls: Calls) {
-    const kept = <T>(read: () => Promise<readonly T[]>): Roster<T> => {
-      const roster: Roster<T> = new Roster(read, () => this.#changed(roster));
-      return roster;
+    const shared = <T>(read: () => Promise<readonly T[]>): ServerList<T> => {
+      const list: ServerList<T> = new ServerList(read, () => this.#changed(list));
+      return list;
     };
-    this.users = kept(() => calls.accounts.users());
-    this.invitations = kept(() => calls.accounts.invitations());
-    this.groups = kept(() => calls.grants.groups());
-    this.fleets = kept(() => calls.grants.fleets());
-    this.grants = kept(() => calls.grants.all());
-    this.organisations = kept(() => calls.grants.organisations());
-    this.accessKeys = kept(() => calls.accessKeys.all());
-    this.endpoints = kept(() => calls.endpoints());
-    this.missions = kept(() => calls.missions());
+    this.users = shared(() => calls.accounts.users());
+    this.invitations = shared(() => calls.accounts.invitations());
+    this.groups = shared(() => calls.grants.groups());
+    this.fleets = shared(() => calls.grants.fleets());
+    this.grants = shared(() => calls.grants.all());
+    this.organisations = shared(() => calls.grants.organisations());
+    this.accessKeys = shared(() => calls.accessKeys.all());
+    this.endpoints = shared(() => calls.endpoints());
+    this.missions = shared(() => calls.missions());
   }
 
   /** Another user may see other lists. */
   clear(): void {
-    this.#all().forEach((roster) => roster.clear());
+    this.#all().forEach((list) => list.clear());
   }
 
-  #all(): Roster<unknown>[] {
-    return Object.values(this).filter((one): one is Roster<unknown> => one instanceof Roster);
+  #all(): ServerList<unknown>[] {
+    return Object.values(this).filter((one): one is ServerList<unknown> => one instanceof ServerList);
   }
 
-  #changed(changed: Roster<unknown>): void {
+  #changed(changed: ServerList<unknown>): void {
     this.#all()
-      .filter((roster) => roster !== changed && roster.loaded)
-      .forEach((roster) => void roster.refresh());
+      .filter((list) => list !== changed && list.loaded)
+      .forEach((list) => void list.refresh());
   }
 }

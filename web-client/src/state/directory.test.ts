@@ -31,7 +31,7 @@ function readersOf(): Map<string, Set<string>> {
   for (const [path, text] of pages) {
     for (const [, of, name] of text.matchAll(AMBIGUOUS)) {
       if (name !== undefined && lists.includes(name)) {
-        // Each shelf calls its own calls by that word.
+        // Each store names its own calls like that.
         const key =
           of === 'calls' || of === 'rest' ? (name === 'all' ? `${path} all` : name) : `${of ?? ''}.${name}`;
         readers.set(key, (readers.get(key) ?? new Set()).add(path));

@@ -1,7 +1,7 @@
 import type { Drone } from '../api/types';
 import { Trails } from './trails';
 
-/** Runs an action soon, at most one at a time; the page redraws ten times a second however fast news comes. */
+/** Runs an action soon, at most one at a time; the page redraws ten times a second however fast updates come. */
 export type Scheduler = (action: () => void) => void;
 
 export const tenTimesASecond: Scheduler = (action) => {
@@ -28,28 +28,28 @@ export class Fleet {
     const present = new Set(drones.map((drone) => drone.id));
     for (const id of this.#byId.keys()) {
       if (!present.has(id)) {
-        this.#forget(id);
+        this.#delete(id);
       }
     }
     for (const drone of drones) {
-      this.#take(drone);
+      this.#store(drone);
     }
     this.loaded = true;
     this.#publish();
   }
 
-  /** News of one drone; an older version than the known one changes nothing. */
+  /** Applies an update of one drone; an older version than the known one changes nothing. */
   update(drone: Drone): void {
     const known = this.#byId.get(drone.id);
     if (known !== undefined && drone.version < known.version) {
       return;
     }
-    this.#take(drone);
+    this.#store(drone);
     this.#publishSoon();
   }
 
   remove(id: string): void {
-    this.#forget(id);
+    this.#delete(id);
     this.#publish();
   }
 
@@ -62,12 +62,12 @@ export class Fleet {
     return id === null ? null : (this.drones.find((drone) => drone.id === id) ?? null);
   }
 
-  #take(drone: Drone): void {
+  #store(drone: Drone): void {
     this.#byId.set(drone.id, drone);
     this.trails.add(drone);
   }
 
-  #forget(id: string): void {
+  #delete(id: string): void {
     this.#byId.delete(id);
     this.trails.remove(id);
   }

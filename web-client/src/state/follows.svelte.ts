@@ -1,4 +1,4 @@
-import type { Follow, FollowCalls, FollowNow, FollowOrder, FollowWish, PlaceChange } from '../api/follows';
+import type { Follow, FollowCalls, FollowNow, FollowOrder, FollowAction, PlaceChange } from '../api/follows';
 import { sentenceFor } from '../api/problem';
 
 /** Follows that this page knows of. */
@@ -7,10 +7,10 @@ export class Follows {
   problem = $state<string | null>(null);
   #all = $state.raw<ReadonlyMap<string, Follow>>(new Map());
   readonly #calls: FollowCalls;
-  #looking = false;
-  /** Counts what was asked and what was told, so that an answer can be told to be older than what came meanwhile. */
+  #polling = false;
+  /** Numbers requests and updates, so that an answer is known to be older than an update that came after its request. */
   #count = 0;
-  /** Of each follow, by that count, how new its picture is. */
+  /** The number of the request or update that each follow was stored from. */
   readonly #asOf = new Map<string, number>();
 
   constructor(calls: FollowCalls) {
@@ -30,16 +30,16 @@ export class Follows {
     return id === null ? null : (this.#all.get(id) ?? null);
   }
 
-  /** The stream tells: that is the newest there is. */
-  hear(follow: Follow): void {
-    this.#take(follow, ++this.#count);
+  /** Applies an update of the stream, which is the newest there is. */
+  apply(follow: Follow): void {
+    this.#store(follow, ++this.#count);
   }
 
   /**
-   * Answers may be overtaken, by each other and by the stream: a picture of an older stage brings nothing new, nor does
-   * one of the same stage that was asked for before a newer one came. Notes change within a stage.
+   * Stores a follow unless a newer one is known: answers may be overtaken by each other and by the stream. Of the same stage the
+   * later request or update counts, since notes change within a stage.
    */
-  #take(follow: Follow, asOf: number): void {
+  #store(follow: Follow, asOf: number): void {
     const known = this.#all.get(follow.id);
     const newer = known === undefined || known.since < follow.since;
     if (newer || (known.since === follow.since && asOf >= (this.#asOf.get(follow.id) ?? 0))) {
@@ -48,14 +48,14 @@ export class Follows {
     }
   }
 
-  hearNow(id: string, now: FollowNow | null): void {
+  applyNow(id: string, now: FollowNow | null): void {
     const known = this.#all.get(id);
     if (known !== undefined) {
       this.#all = new Map(this.#all).set(id, { ...known, now });
     }
   }
 
-  /** The line to the cloud was lost, and is there again: what ended meanwhile is not told by itself. */
+  /** After the connection was lost: the stream does not send follows that ended meanwhile. */
   async catchUp(): Promise<void> {
     if (this.underWay.length > 0) {
       await this.load();
@@ -72,17 +72,17 @@ export class Follows {
   async load(): Promise<void> {
     await this.#attempt(async () => {
       const asked = ++this.#count;
-      (await this.#calls.all()).forEach((follow) => this.#take(follow, asked));
+      (await this.#calls.all()).forEach((follow) => this.#store(follow, asked));
       this.loaded = true;
     });
   }
 
-  /** As often as one likes: over a dead line questions do not pile up. */
-  async look(id: string): Promise<void> {
-    if (!this.#looking) {
-      this.#looking = true;
+  /** Reads one follow, unless a read is pending: requests do not pile up over a dead connection. */
+  async poll(id: string): Promise<void> {
+    if (!this.#polling) {
+      this.#polling = true;
       await this.#attempt(async () => void (await this.#ask(() => this.#calls.one(id))));
-      this.#looking = false;
+      this.#polling = false;
     }
   }
 
@@ -90,8 +90,8 @@ export class Follows {
     return this.#ask(() => this.#calls.open(order));
   }
 
-  wish(id: string, wish: FollowWish): Promise<Follow> {
-    return this.#ask(() => this.#calls.wish(id, wish));
+  act(id: string, action: FollowAction): Promise<Follow> {
+    return this.#ask(() => this.#calls.act(id, action));
   }
 
   change(id: string, place: PlaceChange): Promise<Follow> {
@@ -110,7 +110,7 @@ export class Follows {
   async #ask(call: () => Promise<Follow>): Promise<Follow> {
     const asked = ++this.#count;
     const follow = await call();
-    this.#take(follow, asked);
+    this.#store(follow, asked);
     return follow;
   }
 }

@@ -3,13 +3,13 @@ import { FollowCalls } from '../api/follows';
 import { Problem } from '../api/problem';
 import { aFollow, aFollowNow } from '../testing';
 import { Follows } from './follows.svelte';
-import { Questions } from './questions';
+import { PendingRequests } from './pending-requests';
 
 describe('follows', () => {
   it('believe no picture of an earlier stage', () => {
     const follows = new Follows(new FollowCalls(vi.fn()));
-    follows.hear(aFollow({ state: 'tracking', since: '2026-01-01T12:00:05Z' }));
-    follows.hear(aFollow({ state: 'starting', since: '2026-01-01T12:00:00Z' }));
+    follows.apply(aFollow({ state: 'tracking', since: '2026-01-01T12:00:05Z' }));
+    follows.apply(aFollow({ state: 'starting', since: '2026-01-01T12:00:00Z' }));
     expect(follows.find('f1')?.state).toBe('tracking');
   });
 
@@ -19,12 +19,12 @@ describe('follows', () => {
     const call = vi.fn(() => new Promise((resolve) => (answer = resolve)));
     const follows = new Follows(new FollowCalls(call as never));
     const loading = follows.load();
-    follows.hear({ ...waits, note: null });
+    follows.apply({ ...waits, note: null });
     answer({ follows: [waits] });
     await loading;
     expect(follows.find('f1')?.note).toBeNull();
 
-    const looking = follows.look('f1');
+    const looking = follows.poll('f1');
     answer(waits);
     await looking;
     expect(follows.find('f1')?.note).toBe('Copter 1 waits.');
@@ -33,10 +33,10 @@ describe('follows', () => {
   it('take what changes all the time for those that are known', () => {
     const follows = new Follows(new FollowCalls(vi.fn()));
     const now = { ...aFollowNow('2026-01-01T12:00:00Z'), secondsLeft: 300 };
-    follows.hearNow('f1', now);
+    follows.applyNow('f1', now);
     expect(follows.all).toEqual([]);
-    follows.hear(aFollow());
-    follows.hearNow('f1', now);
+    follows.apply(aFollow());
+    follows.applyNow('f1', now);
     expect(follows.find('f1')?.now?.secondsLeft).toBe(300);
   });
 
@@ -47,29 +47,29 @@ describe('follows', () => {
     const follows = new Follows(new FollowCalls(call));
     await follows.catchUp();
     expect(call).not.toHaveBeenCalled();
-    follows.hear(aFollow({ state: 'tracking' }));
+    follows.apply(aFollow({ state: 'tracking' }));
     await follows.catchUp();
     expect(follows.underWay).toEqual([]);
   });
 });
 
 describe('what is asked over the stream', () => {
-  it('is answered, refused, or given up when the line goes down', async () => {
-    const questions = new Questions<string>();
+  it('is answered, refused, or given up when the connection is lost', async () => {
+    const pending = new PendingRequests<string>();
     const ids: string[] = [];
-    const ask = (): Promise<string> | null => questions.ask((id) => ids.push(id) > 0);
+    const ask = (): Promise<string> | null => pending.request((id) => ids.push(id) > 0);
     const [first, second, third] = [ask(), ask(), ask()];
-    questions.answer(ids[0] ?? '', 'yes');
+    pending.resolve(ids[0] ?? '', 'yes');
     await expect(first).resolves.toBe('yes');
     const refusal = { status: 409, detail: 'This follow is over.' };
-    expect(questions.refuse({ type: 'error', requestId: ids[1] ?? '', problem: refusal })).toBe(true);
+    expect(pending.reject({ type: 'error', requestId: ids[1] ?? '', problem: refusal })).toBe(true);
     await expect(second).rejects.toThrow('This follow is over.');
-    expect(questions.refuse({ type: 'error', requestId: 'steer-1', problem: refusal })).toBe(false);
-    questions.giveUp();
+    expect(pending.reject({ type: 'error', requestId: 'steer-1', problem: refusal })).toBe(false);
+    pending.rejectAll();
     await expect(third).rejects.toBeInstanceOf(Problem);
   });
 
-  it('is not asked where the line is down', () => {
-    expect(new Questions().ask(() => false)).toBeNull();
+  it('is not sent without a connection', () => {
+    expect(new PendingRequests().request(() => false)).toBeNull();
   });
 });

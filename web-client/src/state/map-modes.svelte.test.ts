@@ -2,7 +2,7 @@ import { flushSync } from 'svelte';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { aDrone, aMission, aRun, aRunWaypoint, aZone } from '../testing';
 import { draftOf, newZone } from '../zones/zone-draft';
-import { keepMapModes, MAP_MODES, mapMode } from './map-modes.svelte';
+import { endMapModes, MAP_MODES, mapMode } from './map-modes.svelte';
 import { Station } from './station.svelte';
 import { FLEET_DRAFT } from './tours.svelte';
 
@@ -14,10 +14,10 @@ let leave: () => void;
 /** Switches each mode on, as the page does. */
 const BEGIN: Record<string, () => void> = {
   'changing a run': () => {
-    station.runs.hear(aRun());
+    station.runs.apply(aRun());
     station.runs.show('r1');
     flushSync();
-    station.runs.take('add');
+    station.runs.selectTool('add');
   },
   'drawing a zone': () => (station.zones.draft = newZone('polygon')),
   planning: () => station.planner.begin(FLEET_DRAFT),
@@ -27,7 +27,7 @@ beforeEach(() => {
   station = new Station();
   station.session = { name: 'ann', role: 'administrator', mustChangePassword: false, organisation: null };
   station.fleet.replaceAll([aDrone(), aDrone({ id: 'd2', name: 'Copter 2' })]);
-  leave = $effect.root(() => keepMapModes(station));
+  leave = $effect.root(() => endMapModes(station));
   flushSync();
 });
 afterEach(() => leave());
@@ -45,7 +45,7 @@ describe('each use of the map', () => {
   it.each(MAP_MODES.map((mode) => [mode.name]))('%s ends when a run begins', (name) => {
     BEGIN[name]?.();
     flushSync();
-    station.runs.hear(aRun({ id: 'r2' }));
+    station.runs.apply(aRun({ id: 'r2' }));
     station.runs.show('r2');
     flushSync();
     expect(mapMode(station)).toBeNull();
@@ -60,10 +60,10 @@ describe('each use of the map', () => {
   });
 
   it.each(MAP_MODES.map((mode) => [mode.name]))('%s takes the place of where a drone was to go', (name) => {
-    station.desk.aim('d1', HERE);
+    station.view.setTarget('d1', HERE);
     BEGIN[name]?.();
     flushSync();
-    expect(station.desk.target).toBeNull();
+    expect(station.view.target).toBeNull();
   });
 });
 
@@ -72,7 +72,7 @@ describe('planning', () => {
     station.planner.begin(FLEET_DRAFT);
     station.planner.addAt(HERE);
     flushSync();
-    station.runs.hear(aRun());
+    station.runs.apply(aRun());
     station.runs.show('r1');
     flushSync();
     mapMode(station)?.click(station, HERE);
@@ -80,7 +80,7 @@ describe('planning', () => {
   });
 
   it('ends when the mission of its drone is started', () => {
-    station.desk.select('d1');
+    station.view.select('d1');
     station.planner.begin('d1');
     flushSync();
     expect(station.planner.droneId).toBe('d1');
@@ -94,10 +94,10 @@ describe('planning', () => {
   });
 
   it('ends when another drone is chosen', () => {
-    station.desk.select('d1');
+    station.view.select('d1');
     station.planner.begin('d1');
     flushSync();
-    station.desk.select('d2');
+    station.view.select('d2');
     flushSync();
     expect(station.planner.droneId).toBeNull();
   });
@@ -105,14 +105,14 @@ describe('planning', () => {
 
 describe('the place where a waypoint is to be moved to', () => {
   it('is asked for no longer when somebody has visited it', () => {
-    station.runs.hear(aRun());
+    station.runs.apply(aRun());
     station.runs.show('r1');
     flushSync();
     station.runs.choose('2');
-    station.runs.take('move');
+    station.runs.selectTool('move');
     flushSync();
     expect(station.runs.tool).toBe('move');
-    station.runs.hear(aRun({ waypoints: [aRunWaypoint('2', { state: 'visited' })] }));
+    station.runs.apply(aRun({ waypoints: [aRunWaypoint('2', { state: 'visited' })] }));
     flushSync();
     expect(station.runs.tool).toBeNull();
   });
@@ -121,22 +121,22 @@ describe('the place where a waypoint is to be moved to', () => {
 describe('the place where a drone is to go', () => {
   it('is meant no more when it has landed', () => {
     station.fleet.replaceAll([aDrone({ flight: 'inAir' })]);
-    station.desk.select('d1');
-    station.desk.aim('d1', HERE);
+    station.view.select('d1');
+    station.view.setTarget('d1', HERE);
     flushSync();
-    expect(station.desk.target).not.toBeNull();
+    expect(station.view.target).not.toBeNull();
     station.fleet.replaceAll([aDrone({ flight: 'onGround' })]);
     flushSync();
-    expect(station.desk.target).toBeNull();
+    expect(station.view.target).toBeNull();
   });
 });
 
 describe('a zone that is being changed', () => {
   it('is not drawn on when somebody removes it', () => {
     const zone = aZone();
-    station.zones.hear(zone);
+    station.zones.apply(zone);
     station.zones.draft = draftOf(zone);
-    station.zones.forget(zone.id ?? '');
+    station.zones.applyRemoval(zone.id ?? '');
     expect(station.zones.draft).toBeNull();
   });
 });

@@ -1,33 +1,33 @@
 import { untrack } from 'svelte';
 import { mayAct, type Role } from '../api/accounts';
 import type { Coordinates } from '../geo/coordinates';
-import { isSettled } from '../runs/run-line';
+import { isSettled } from '../runs/run-text';
 import type { Station } from './station.svelte';
 import { FLEET_DRAFT } from './tours.svelte';
 
 type Part = Pick<
   Station,
-  'desk' | 'planner' | 'runs' | 'selected' | 'session' | 'tours' | 'virtuals' | 'zones'
+  'view' | 'planner' | 'runs' | 'selected' | 'session' | 'tours' | 'virtuals' | 'zones'
 >;
 
 /** A use of the map in which a click means more than a look. */
 export interface MapMode {
   readonly name: string;
-  /** Who may not do this any more is not left in it. */
+  /** The role that it needs; without it the mode is ended. */
   readonly role: Role;
   isOn(station: Part): boolean;
   click(station: Part, place: Coordinates): void;
   end(station: Part): void;
 }
 
-/** The map serves one hand at a time: of two that are on, the first. */
+/** The map has one use at a time: of two that are on, the first. */
 export const MAP_MODES: readonly MapMode[] = [
   {
     name: 'changing a run',
     role: 'operator',
     isOn: ({ runs }) => runs.tool !== null,
     click: ({ runs }, place) => runs.mark(place),
-    end: ({ runs }) => runs.lay(),
+    end: ({ runs }) => runs.clearTool(),
   },
   {
     name: 'drawing a zone',
@@ -63,11 +63,11 @@ function whenever(condition: () => boolean, begun: () => void): void {
 }
 
 /** Ends each use of the map when what it was for is over. For the time of a component. */
-export function keepMapModes(station: Part): void {
-  const { desk, planner, runs, tours, virtuals, zones } = station;
+export function endMapModes(station: Part): void {
+  const { view, planner, runs, tours, virtuals, zones } = station;
   const endAll = (): void => MAP_MODES.forEach((mode) => mode.end(station));
 
-  // What is flown now is looked at: a forgotten draft must not take the clicks, nor lie over it.
+  // An opened run is shown: a forgotten draft must not receive the clicks, nor cover it.
   const ran = $derived(runs.shownId);
   $effect(() => {
     if (ran !== null) {
@@ -80,7 +80,7 @@ export function keepMapModes(station: Part): void {
   );
   whenever(
     () => station.selected?.mission?.running === true,
-    () => planner.droneId === desk.selectedId && planner.stop(),
+    () => planner.droneId === view.selectedId && planner.stop(),
   );
   whenever(
     () => virtuals.find(planner.droneId)?.actions.plan.allowed === false,
@@ -90,8 +90,8 @@ export function keepMapModes(station: Part): void {
   // Planning belongs to the chosen drone: another choice leaves the editor, the draft stays.
   $effect(() => {
     const noDrone = planner.droneId === FLEET_DRAFT || virtuals.find(planner.droneId) !== null;
-    const other = noDrone && desk.selectedId === null;
-    if (planner.droneId !== null && planner.droneId !== desk.selectedId && !other) {
+    const other = noDrone && view.selectedId === null;
+    if (planner.droneId !== null && planner.droneId !== view.selectedId && !other) {
       planner.stop();
     }
   });
@@ -100,24 +100,24 @@ export function keepMapModes(station: Part): void {
   $effect(() => {
     const waypoint = runs.shown?.waypoints.find((one) => one.id === runs.chosen);
     if (runs.tool === 'move' && (waypoint === undefined || isSettled(waypoint))) {
-      runs.lay();
+      runs.clearTool();
     }
   });
 
   $effect(() => {
-    if (planner.droneId !== null || zones.draft !== null || desk.selectedId !== null) {
-      runs.lay();
+    if (planner.droneId !== null || zones.draft !== null || view.selectedId !== null) {
+      runs.clearTool();
     }
   });
 
   // The place where a drone was to go is no longer meant when it has landed, or when the map is used for something else.
   whenever(
     () => station.selected?.flight === 'onGround',
-    () => (desk.target = null),
+    () => (view.target = null),
   );
   whenever(
     () => mapMode(station) !== null,
-    () => (desk.target = null),
+    () => (view.target = null),
   );
 
   $effect(() => {

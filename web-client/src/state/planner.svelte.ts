@@ -10,11 +10,11 @@ export class Planner {
   /** The altitude that the next waypoint gets, metres above home. */
   defaultAltitude = $state<number | null>(20);
   #drafts = $state.raw<ReadonlyMap<string, Draft>>(new Map());
-  /** What each vehicle shall do when the cloud falls silent on its mission; on to the end unless chosen. */
+  /** The failsafe of each vehicle for a lost cloud during its mission; it flies on unless chosen otherwise. */
   #cloudLoss = $state.raw<ReadonlyMap<string, CloudLoss>>(new Map());
-  /** The drone whose plan has just become true, until its panel has shown what comes next. */
+  /** The drone whose plan was just uploaded, until its panel has shown what comes next. */
   uploaded = $state<string | null>(null);
-  /** What was sent to each vehicle, until its outcome is known. */
+  /** The draft that is being uploaded to each vehicle. */
   readonly #sent = new Map<string, Draft>();
   #undo = $state.raw<readonly { droneId: string; draft: Draft }[]>([]);
 
@@ -86,15 +86,15 @@ export class Planner {
     }
   }
 
-  /** The plan as it is now is on its way to the vehicle. */
+  /** Remembers the draft that is being uploaded. */
   markSent(): void {
     if (this.droneId !== null && this.draft !== null) {
       this.#sent.set(this.droneId, this.draft);
     }
   }
 
-  /** The plan that was sent has become true: forget it, unless it was edited meanwhile. */
-  becameTrue(droneId: string): void {
+  /** Discards the draft that was uploaded, unless it was edited meanwhile. */
+  markUploaded(droneId: string): void {
     const sent = this.#sent.get(droneId);
     this.#sent.delete(droneId);
     if (sent !== undefined && sent === this.draftFor(droneId)) {

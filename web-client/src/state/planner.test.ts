@@ -44,7 +44,7 @@ describe('planner', () => {
     const planner = planning();
     planner.addAt(HERE);
     planner.markSent();
-    planner.becameTrue('d1');
+    planner.markUploaded('d1');
     expect(planner.droneId).toBeNull();
     expect(planner.draftFor('d1')).toBeNull();
   });
@@ -54,7 +54,7 @@ describe('planner', () => {
     planner.addAt(HERE);
     planner.markSent();
     planner.addAt(HERE);
-    planner.becameTrue('d1');
+    planner.markUploaded('d1');
     expect(planner.draft?.waypoints).toHaveLength(2);
   });
 

@@ -4,7 +4,7 @@ export type ThemeChoice = Theme | 'system';
 const THEME_KEY = 'dronemap.theme';
 const NEXT: Record<ThemeChoice, ThemeChoice> = { system: 'light', light: 'dark', dark: 'system' };
 
-/** What this browser remembers of how its user likes the page. */
+/** The preferences of the user, stored in this browser. */
 export class Preferences {
   choice = $state<ThemeChoice>('system');
   #systemDark = $state(false);

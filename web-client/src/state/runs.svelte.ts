@@ -2,13 +2,13 @@ import type { MissionRun, NewRunWaypoint, RunCalls, RunStart } from '../api/runs
 import { sentenceFor } from '../api/problem';
 import type { Coordinates } from '../geo/coordinates';
 
-/** What a click on the map means for the run that is looked at. */
+/** The effect of a click on the map on the shown run. */
 export type RunTool = 'add' | 'move';
 
-/** Mission runs, and what is being done about the one that is looked at. */
+/** The runs, and the changes being made to the shown one. */
 export class Runs {
   shownId = $state<string | null>(null);
-  /** The waypoint that is looked at. */
+  /** The id of the selected waypoint. */
   chosen = $state<string | null>(null);
   tool = $state<RunTool | null>(null);
   /** Places that were marked on the map and are not sent yet. */
@@ -38,15 +38,15 @@ export class Runs {
     return this.all.filter((run) => run.state !== 'over');
   }
 
-  /** Pictures may overtake each other: an older one than what is known says nothing new. */
-  hear(run: MissionRun): void {
+  /** Applies a newer version of a run; answers and updates may overtake each other. */
+  apply(run: MissionRun): void {
     const known = this.#all.get(run.id);
     if (known !== undefined && known.journal > run.journal) {
       return;
     }
     this.#all = new Map(this.#all).set(run.id, run);
     if (run.id === this.shownId && run.state !== 'running' && run.state !== 'paused') {
-      this.lay();
+      this.clearTool();
     }
   }
 
@@ -61,7 +61,7 @@ export class Runs {
     this.shownId = null;
     this.chosen = null;
     this.problem = null;
-    this.lay();
+    this.clearTool();
   }
 
   clear(): void {
@@ -72,16 +72,16 @@ export class Runs {
 
   choose(waypoint: string | null): void {
     this.chosen = waypoint;
-    this.lay();
+    this.clearTool();
   }
 
-  take(tool: RunTool): void {
+  selectTool(tool: RunTool): void {
     this.tool = tool;
     this.marks = [];
   }
 
   /** Puts the tool aside, and what was marked with it. */
-  lay(): void {
+  clearTool(): void {
     this.tool = null;
     this.marks = [];
   }
@@ -94,10 +94,10 @@ export class Runs {
     this.marks = this.marks.slice(0, -1);
   }
 
-  /** What is over is not told by the stream. */
+  /** Reads all runs: the stream does not send those that are over. */
   async load(): Promise<void> {
     await this.#attempt(async () => {
-      (await this.#calls.all()).forEach((run) => this.hear(run));
+      (await this.#calls.all()).forEach((run) => this.apply(run));
       this.loaded = true;
     });
   }
@@ -108,7 +108,7 @@ export class Runs {
     if (this.loaded) {
       await this.load();
     } else if (shown !== null) {
-      await this.#attempt(async () => this.hear(await this.#calls.one(shown.id)));
+      await this.#attempt(async () => this.apply(await this.#calls.one(shown.id)));
     }
   }
 
@@ -116,7 +116,7 @@ export class Runs {
   async start(request: RunStart): Promise<boolean> {
     return this.#send(async () => {
       const run = await this.#calls.start(request);
-      this.hear(run);
+      this.apply(run);
       this.show(run.id);
     });
   }
@@ -128,56 +128,56 @@ export class Runs {
       altitude,
       altitudeReference: 'home',
     }));
-    await this.#wish((id) => this.#calls.add(id, waypoints));
+    await this.#act((id) => this.#calls.add(id, waypoints));
   }
 
   async moveChosen(): Promise<void> {
     const [mark] = this.marks;
     const { chosen } = this;
     if (mark !== undefined && chosen !== null) {
-      await this.#wish((id) => this.#calls.move(id, chosen, mark.latitude, mark.longitude));
+      await this.#act((id) => this.#calls.move(id, chosen, mark.latitude, mark.longitude));
     }
   }
 
   async cancel(waypoint: string): Promise<void> {
-    await this.#wish((id) => this.#calls.cancel(id, waypoint));
+    await this.#act((id) => this.#calls.cancel(id, waypoint));
   }
 
   async join(drone: string): Promise<void> {
-    await this.#wish((id) => this.#calls.join(id, drone));
+    await this.#act((id) => this.#calls.join(id, drone));
   }
 
   async resume(drone: string): Promise<void> {
-    await this.#wish((id) => this.#calls.resume(id, drone));
+    await this.#act((id) => this.#calls.resume(id, drone));
   }
 
   async giveUp(drone: string): Promise<void> {
-    await this.#wish((id) => this.#calls.giveUp(id, drone));
+    await this.#act((id) => this.#calls.giveUp(id, drone));
   }
 
   async answer(proposal: number, accept: boolean): Promise<void> {
-    await this.#wish((id) => this.#calls.answer(id, proposal, accept));
+    await this.#act((id) => this.#calls.answer(id, proposal, accept));
   }
 
   async pause(): Promise<void> {
-    await this.#wish((id) => this.#calls.pause(id));
+    await this.#act((id) => this.#calls.pause(id));
   }
 
-  async goOn(): Promise<void> {
-    await this.#wish((id) => this.#calls.goOn(id));
+  async resumeRun(): Promise<void> {
+    await this.#act((id) => this.#calls.resumeRun(id));
   }
 
   async stop(): Promise<void> {
-    await this.#wish((id) => this.#calls.stop(id));
+    await this.#act((id) => this.#calls.stop(id));
   }
 
-  /** What was marked stays when the run refuses it. */
-  async #wish(wish: (id: string) => Promise<MissionRun>): Promise<void> {
+  /** Sends a change of the run; the marks are kept when it is refused. */
+  async #act(call: (id: string) => Promise<MissionRun>): Promise<void> {
     const id = this.shownId;
     if (id !== null && !this.busy) {
       await this.#send(async () => {
-        this.hear(await wish(id));
-        this.lay();
+        this.apply(await call(id));
+        this.clearTool();
       });
     }
   }

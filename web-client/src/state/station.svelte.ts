@@ -8,18 +8,18 @@ import type { CommandKind, Drone, Settings, StreamMessage } from '../api/types';
 import { CloudClock } from './clock.svelte';
 import { Commands } from './commands.svelte';
 import { Connection } from './connection.svelte';
-import { Controls } from './controls.svelte';
-import { Desk } from './desk.svelte';
+import { ControlLeases } from './control-leases.svelte';
+import { ViewState } from './view-state.svelte';
 import { Directory } from './directory.svelte';
 import { Fleet } from './fleet.svelte';
 import { Follows } from './follows.svelte';
-import { hearOfPlans } from './news';
+import { applyUpdate } from './stream-updates';
 import { newUuid } from './uuid';
 import { Planner } from './planner.svelte';
 import { Preferences } from './preferences.svelte';
 import { Runs } from './runs.svelte';
-import { Questions } from './questions';
-import { SteeringLines, type SteeringLine } from './steering';
+import { PendingRequests } from './pending-requests';
+import { SteeringChannels, type SteeringChannel } from './steering-channels';
 import { Tours } from './tours.svelte';
 import { Virtuals } from './virtuals.svelte';
 import { Zones } from './zones.svelte';
@@ -42,11 +42,11 @@ export class Station {
   readonly planner = new Planner();
   readonly commands = new Commands(this.#signed(), newUuid, (attempt) => {
     if (attempt.type === 'uploadMission') {
-      this.planner.becameTrue(attempt.drone);
+      this.planner.markUploaded(attempt.drone);
     }
   });
-  readonly controls = new Controls(this.rest.control);
-  readonly desk = new Desk();
+  readonly leases = new ControlLeases(this.rest.control);
+  readonly view = new ViewState();
   readonly directory = new Directory(this.rest);
   readonly preferences = new Preferences();
   readonly zones = new Zones(this.rest.zones);
@@ -56,14 +56,14 @@ export class Station {
   readonly follows = new Follows(this.rest.follows);
   /** undefined: not asked yet; null: nobody is signed in. */
   session = $state.raw<Session | null | undefined>(undefined);
-  /** Why nobody is signed in any more, when that was not their wish. */
+  /** The reason for which the session ended, unless the user signed out. */
   signedOut = $state.raw<string | null>(null);
   settings = $state.raw<Settings | null>(null);
-  selected = $derived<Drone | null>(this.fleet.find(this.desk.selectedId));
+  selected = $derived<Drone | null>(this.fleet.find(this.view.selectedId));
   readonly #stream = new StreamClient(
     { address: () => this.#streamAddress(), open: openSocket, timers: browserTimers },
     {
-      onMessage: (message) => this.#hear(message),
+      onMessage: (message) => this.#receive(message),
       onUp: () => this.#streamUp(),
       onDown: () => this.#streamDown(),
       onRetryAt: (at) => (this.connection.retryAt = at),
@@ -72,18 +72,18 @@ export class Station {
   );
 
   #only: string | null = null;
-  readonly #questions = new Questions<Receipt>();
-  readonly #lines = new SteeringLines(
-    (request) => this.#stream.say(request),
-    (drone) => this.controls.kept.get(drone),
+  readonly #pending = new PendingRequests<Receipt>();
+  readonly #steering = new SteeringChannels(
+    (request) => this.#stream.send(request),
+    (drone) => this.leases.held.get(drone),
   );
 
   /** Asks who is signed in. Rejects when the cloud cannot be reached. */
   async open(): Promise<void> {
     setInterval(() => {
-      this.clock.tick();
-      this.connection.tick();
-      this.controls.beat();
+      this.clock.refresh();
+      this.connection.refresh();
+      this.leases.sendHeartbeats();
     }, 1000);
     await this.resume();
   }
@@ -119,22 +119,22 @@ export class Station {
     this.#forgetSession(null);
   }
 
-  /** A line to steer that drone by; `onRefused` hears why the cloud takes no speeds. */
-  steering(drone: string, onRefused: (why: string) => void): SteeringLine {
-    return this.#lines.open(drone, onRefused);
+  /** Opens a channel to steer that drone by; `onRefused` is called with the reason when the cloud refuses a setpoint. */
+  steering(drone: string, onRefused: (why: string) => void): SteeringChannel {
+    return this.#steering.open(drone, onRefused);
   }
 
   /** Over the stream, where it is up; else by a call of its own. */
-  sayPositions(follow: string, positions: Positions): Promise<Receipt> {
+  sendPositions(follow: string, positions: Positions): Promise<Receipt> {
     const request = { type: 'positions', follow, ...positions } as const;
     return (
-      this.#questions.ask((requestId) => this.#stream.say({ requestId, ...request })) ??
+      this.#pending.request((requestId) => this.#stream.send({ requestId, ...request })) ??
       this.rest.follows.positions(follow, positions)
     );
   }
 
-  /** From now on hears of that drone alone, and less often, so that little waits for a page that sleeps; null: of all. */
-  listenTo(drone: string | null): void {
+  /** Subscribes to that drone alone, at a lower rate, so that little waits for a page that sleeps; null: to all. */
+  subscribeTo(drone: string | null): void {
     if (drone !== this.#only) {
       this.#only = drone;
       this.#subscribe();
@@ -144,29 +144,29 @@ export class Station {
   #subscribe(): void {
     const only =
       this.#only === null ? { drones: null, rate: RATES.all } : { drones: [this.#only], rate: RATES.one };
-    this.#stream.say({ type: 'subscribe', requestId: 'subscribe', ...only });
+    this.#stream.send({ type: 'subscribe', requestId: 'subscribe', ...only });
   }
 
   retryNow(): void {
     this.#stream.retryNow();
   }
 
-  /** Why nothing can be asked of the cloud now, or null. */
-  get whyNoLine(): string | null {
+  /** The reason for which no request can be sent now, or null. */
+  get whyOffline(): string | null {
     return this.connection.stale ? 'No connection to the cloud.' : null;
   }
 
   /** Why this page cannot give that command now, or null; the cloud's own reasons come with each action. */
   whyNoCommand(drone: Drone, type: CommandKind): string | null {
     const supervisor = mayAct(this.session?.role, 'supervisor');
-    return this.whyNoLine ?? this.controls.whyNot(drone, type, this.session?.name, supervisor);
+    return this.whyOffline ?? this.leases.whyNot(drone, type, this.session?.name, supervisor);
   }
 
   /** Commands under the control that this window keeps say so: they are refused when it has ended meanwhile. */
   #signed(): Pick<RestClient, 'sendCommand' | 'command' | 'commandsOf'> {
     return {
       sendCommand: (drone, request) => {
-        const epoch = this.controls.kept.get(drone);
+        const epoch = this.leases.held.get(drone);
         return this.rest.sendCommand(drone, epoch === undefined ? request : { ...request, epoch });
       },
       command: (id) => this.rest.command(id),
@@ -197,11 +197,11 @@ export class Station {
     this.#stream.stop();
     this.signedOut = why;
     this.session = null;
-    const { directory, fleet, controls, zones, virtuals, tours, runs, follows } = this;
-    [directory, fleet, controls, zones, virtuals, tours, runs, follows].forEach((shelf) => shelf.clear());
+    const { directory, fleet, leases, zones, virtuals, tours, runs, follows } = this;
+    [directory, fleet, leases, zones, virtuals, tours, runs, follows].forEach((store) => store.clear());
     this.planner.stop();
-    this.desk.deselect();
-    this.desk.page = 'map';
+    this.view.deselect();
+    this.view.page = 'map';
   }
 
   #streamUp(): void {
@@ -217,7 +217,7 @@ export class Station {
 
   #streamDown(): void {
     this.connection.down();
-    this.#questions.giveUp();
+    this.#pending.rejectAll();
   }
 
   /** An administrator may have given another one since the sign-in. */
@@ -227,9 +227,9 @@ export class Station {
     }
   }
 
-  #hear(message: StreamMessage): void {
-    this.connection.heard();
-    this.controls.beat();
+  #receive(message: StreamMessage): void {
+    this.connection.received();
+    this.leases.sendHeartbeats();
     switch (message.type) {
       case 'hello':
         this.#roleIs(message.role);
@@ -244,22 +244,22 @@ export class Station {
         this.fleet.remove(message.id);
         break;
       case 'command':
-        this.commands.hear(message.command);
+        this.commands.apply(message.command);
         break;
       case 'positionsHeard':
-        this.#questions.answer(message.requestId, message.receipt);
+        this.#pending.resolve(message.requestId, message.receipt);
         break;
       case 'ping':
-        this.clock.hear(message.at);
+        this.clock.synchronise(message.at);
         break;
       case 'error':
-        if (this.#lines.hear(message) || this.#questions.refuse(message)) {
+        if (this.#steering.reject(message) || this.#pending.reject(message)) {
           break;
         }
         console.warn('The stream reports:', message.problem.detail);
         break;
       default:
-        hearOfPlans(message, this);
+        applyUpdate(message, this);
         break;
     }
   }
@@ -288,7 +288,7 @@ export function useStation(): Station {
   return getContext<Station>(STATION);
 }
 
-/** Others are told nothing of the server but who they are. */
+/** Others receive nothing but their own session. */
 function mayLook(session: Session): boolean {
   return !session.mustChangePassword && mayAct(session.role, 'viewer');
 }

@@ -1,8 +1,8 @@
 import type { FleetPlan, PlanAim, PlanCalls, PlanObjective, PlanWaypoint } from '../api/plans';
 import { Problem, sentenceFor } from '../api/problem';
 import type { Coordinates } from '../geo/coordinates';
-import { NO_DEMAND, type Demand } from '../tours/demand';
-import { isUnderWay } from '../tours/tour-line';
+import { NO_REQUIREMENTS, type Requirements } from '../tours/requirements';
+import { isUnderWay } from '../tours/tour-text';
 
 /** The name under which the editor keeps the waypoints for several drones; no drone is called so. */
 export const FLEET_DRAFT = '#fleet';
@@ -21,14 +21,14 @@ export class Tours {
   /** Degrees clockwise from north. */
   windFrom = $state<number | null>(null);
   /** By the keys of the waypoints in the editor. */
-  demands = $state.raw<ReadonlyMap<number, Demand>>(new Map());
+  requirements = $state.raw<ReadonlyMap<number, Requirements>>(new Map());
   problem = $state<string | null>(null);
   /** Something was sent and is not answered yet. */
   busy = $state(false);
   shownId = $state<string | null>(null);
   besideId = $state<string | null>(null);
   #plans = $state.raw<ReadonlyMap<string, FleetPlan>>(new Map());
-  /** Where the waypoints of a plan are, by their ids: while a search goes on only these are told. */
+  /** The places of the waypoints of a plan, by their ids: during the search only ids are sent. */
   #places = $state.raw<{ plan: string; places: ReadonlyMap<string, Coordinates> } | null>(null);
   readonly #calls: PlanCalls;
 
@@ -61,7 +61,7 @@ export class Tours {
     return id === null ? null : (this.#plans.get(id) ?? null);
   }
 
-  hear(plan: FleetPlan): void {
+  apply(plan: FleetPlan): void {
     this.#plans = new Map(this.#plans).set(plan.id, plan);
     // After the page was opened anew.
     if (this.plan === null && (isUnderWay(plan) || plan.launch?.underWay === true)) {
@@ -69,7 +69,7 @@ export class Tours {
     }
   }
 
-  forget(id: string): void {
+  applyRemoval(id: string): void {
     const plans = new Map(this.#plans);
     plans.delete(id);
     this.#plans = plans;
@@ -83,12 +83,12 @@ export class Tours {
     this.problem = null;
   }
 
-  demand(key: number): Demand {
-    return this.demands.get(key) ?? NO_DEMAND;
+  requirementsOf(key: number): Requirements {
+    return this.requirements.get(key) ?? NO_REQUIREMENTS;
   }
 
-  changeDemand(key: number, change: Partial<Demand>): void {
-    this.demands = new Map(this.demands).set(key, { ...this.demand(key), ...change });
+  changeRequirements(key: number, change: Partial<Requirements>): void {
+    this.requirements = new Map(this.requirements).set(key, { ...this.requirementsOf(key), ...change });
   }
 
   show(id: string): void {
@@ -112,9 +112,9 @@ export class Tours {
         plan: plan.id,
         places: new Map(waypoints.map((waypoint) => [waypoint.id, waypoint])),
       };
-      // The stream may have told of later ones.
+      // The stream may have sent a later version.
       if (!this.#plans.has(plan.id)) {
-        this.hear(plan);
+        this.apply(plan);
       }
       this.shownId = plan.id;
       this.besideId = before?.result ? before.id : null;
@@ -133,14 +133,14 @@ export class Tours {
   async accept(start: boolean): Promise<void> {
     const { plan } = this;
     if (plan !== null) {
-      await this.#attempt(async () => this.hear(await this.#calls.accept(plan.id, start)));
+      await this.#attempt(async () => this.apply(await this.#calls.accept(plan.id, start)));
     }
   }
 
   async stop(): Promise<void> {
     const { plan } = this;
     if (plan !== null) {
-      await this.#attempt(async () => this.hear(await this.#calls.stop(plan.id)));
+      await this.#attempt(async () => this.apply(await this.#calls.stop(plan.id)));
     }
   }
 
@@ -154,7 +154,7 @@ export class Tours {
           // It was cancelled; now it is forgotten.
           await this.#calls.remove(plan.id);
         }
-        this.forget(plan.id);
+        this.applyRemoval(plan.id);
         this.shownId = null;
       });
     }
@@ -167,10 +167,10 @@ export class Tours {
       return;
     }
     try {
-      this.hear(await this.#calls.one(plan.id));
+      this.apply(await this.#calls.one(plan.id));
     } catch (thrown) {
       if (thrown instanceof Problem && thrown.status === 404) {
-        this.forget(plan.id);
+        this.applyRemoval(plan.id);
         this.problem =
           'The server no longer knows this plan: it was started anew, or much time has passed. ' +
           'What was uploaded is on board; drones that had not been started stay where they are.';

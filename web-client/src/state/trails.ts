@@ -8,21 +8,21 @@ const LEAST_STEP_METERS = 1;
 const IMPLAUSIBLE_STEP_METERS = 500;
 /** Nothing flies that far between two reports: a simulator was moved or the GPS found itself. */
 const JUMP_METERS = 5_000;
-/** Silent for as long as makes a drone lost: where it flew meanwhile is not known. */
+/** Silent for as long as makes a drone lost: its way meanwhile is unknown. */
 const LONGEST_SILENCE_MILLISECONDS = 5_000;
 
 type LonLat = [number, number];
 
 interface Track {
   points: { at: LonLat; begins: boolean }[];
-  heardAt: number | null;
+  reportedAt: number | null;
   /** The next point begins a new line. */
   broken: boolean;
 }
 
 /**
- * Where each drone has been since this page was opened: at most 600 points each, the oldest go first. A line is broken
- * where the way between two points is not known.
+ * The track of each drone since this page was opened: at most 600 points each, the oldest go first. A line is broken
+ * where the way between two points is unknown.
  */
 export class Trails {
   readonly #tracks = new Map<string, Track>();
@@ -32,13 +32,13 @@ export class Trails {
     if (place === null) {
       return;
     }
-    const track = this.#tracks.get(drone.id) ?? { points: [], heardAt: null, broken: true };
+    const track = this.#tracks.get(drone.id) ?? { points: [], reportedAt: null, broken: true };
     this.#tracks.set(drone.id, track);
-    const heardAt = Date.parse(drone.link.lastHeard ?? drone.lastUpdate ?? '');
-    if (track.heardAt !== null && heardAt - track.heardAt > LONGEST_SILENCE_MILLISECONDS) {
+    const reportedAt = Date.parse(drone.link.lastHeard ?? drone.lastUpdate ?? '');
+    if (track.reportedAt !== null && reportedAt - track.reportedAt > LONGEST_SILENCE_MILLISECONDS) {
       track.broken = true;
     }
-    track.heardAt = Number.isNaN(heardAt) ? track.heardAt : heardAt;
+    track.reportedAt = Number.isNaN(reportedAt) ? track.reportedAt : reportedAt;
     extend(track, [place.longitude, place.latitude]);
   }
 

@@ -2,10 +2,10 @@ import { sentenceFor } from '../api/problem';
 import type { PlannedItem } from '../api/types';
 import type { DroneName, VirtualCalls, VirtualDrone, VirtualNeeds } from '../api/virtual';
 
-/** The virtual drones of the user, and the drones that may serve them. */
+/** The virtual drones of the user, and the pool of drones that may serve them. */
 export class Virtuals {
   all = $state.raw<readonly VirtualDrone[]>([]);
-  warehouse = $state.raw<readonly DroneName[]>([]);
+  pool = $state.raw<readonly DroneName[]>([]);
   problem = $state<string | null>(null);
   readonly #calls: VirtualCalls;
 
@@ -17,62 +17,62 @@ export class Virtuals {
     return this.all.find((drone) => drone.id === id) ?? null;
   }
 
-  /** What was there before the connection came up, and was removed while it was down, goes. */
+  /** Replaces all: some may have been removed while the connection was down. */
   async load(): Promise<void> {
     await this.#attempt(async () => {
-      const [all, warehouse] = await Promise.all([this.#calls.all(), this.#calls.warehouse()]);
+      const [all, pool] = await Promise.all([this.#calls.all(), this.#calls.pool()]);
       this.all = all;
-      this.warehouse = warehouse;
+      this.pool = pool;
     });
   }
 
-  hear(drone: VirtualDrone): void {
+  apply(drone: VirtualDrone): void {
     this.all = this.all.some((one) => one.id === drone.id)
       ? this.all.map((one) => (one.id === drone.id ? drone : one))
       : [...this.all, drone];
   }
 
-  forget(id: string): void {
+  applyRemoval(id: string): void {
     this.all = this.all.filter((drone) => drone.id !== id);
   }
 
   clear(): void {
     this.all = [];
-    this.warehouse = [];
+    this.pool = [];
     this.problem = null;
   }
 
   /** Answers whether it worked. */
   add(name: string, needs: VirtualNeeds): Promise<boolean> {
-    return this.#attempt(async () => this.hear(await this.#calls.add({ name, needs, items: null })));
+    return this.#attempt(async () => this.apply(await this.#calls.add({ name, needs, items: null })));
   }
 
   plan(drone: VirtualDrone, items: readonly PlannedItem[]): Promise<boolean> {
     const request = { name: drone.name, needs: drone.needs, items: [...items] };
-    return this.#attempt(async () => this.hear(await this.#calls.replace(drone.id, request)));
+    return this.#attempt(async () => this.apply(await this.#calls.replace(drone.id, request)));
   }
 
   act(id: string, action: 'start' | 'stop' | 'resume'): Promise<boolean> {
-    return this.#attempt(async () => this.hear(await this.#calls.act(id, action)));
+    return this.#attempt(async () => this.apply(await this.#calls.act(id, action)));
   }
 
   remove(id: string): Promise<boolean> {
     return this.#attempt(async () => {
       await this.#calls.remove(id);
-      this.forget(id);
+      this.applyRemoval(id);
     });
   }
 
   offer(drone: string): Promise<boolean> {
     return this.#attempt(async () => {
-      this.warehouse = await this.#calls.offer(drone);
+      this.pool = await this.#calls.offer(drone);
     });
   }
 
   withdraw(drone: string): Promise<boolean> {
     return this.#attempt(async () => {
       await this.#calls.withdraw(drone);
-      this.warehouse = this.warehouse.filter((one) => one.id !== drone);
+      this.pool = this.pool.filter((one) => one.id !== drone);
     });
   }
 

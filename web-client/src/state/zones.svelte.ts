@@ -23,11 +23,11 @@ export class Zones {
     });
   }
 
-  hear(zone: Zone): void {
+  apply(zone: Zone): void {
     this.all = sorted([...this.all.filter((one) => one.id !== zone.id), zone]);
   }
 
-  forget(id: string): void {
+  applyRemoval(id: string): void {
     this.all = this.all.filter((one) => one.id !== id);
     this.#endDraftOfNone();
   }
@@ -58,22 +58,22 @@ export class Zones {
     if (draft !== null) {
       await this.#attempt(async () => {
         const zone = featureOf(draft);
-        this.hear(await (draft.id === null ? this.#calls.add(zone) : this.#calls.replace(draft.id, zone)));
+        this.apply(await (draft.id === null ? this.#calls.add(zone) : this.#calls.replace(draft.id, zone)));
         this.draft = null;
       });
     }
   }
 
-  async take(file: Blob): Promise<void> {
+  async importFile(file: Blob): Promise<void> {
     await this.#attempt(async () => {
-      (await this.#calls.take(file)).forEach((zone) => this.hear(zone));
+      (await this.#calls.importFile(file)).forEach((zone) => this.apply(zone));
     });
   }
 
   async remove(id: string): Promise<void> {
     await this.#attempt(async () => {
       await this.#calls.remove(id);
-      this.forget(id);
+      this.applyRemoval(id);
     });
   }
 

@@ -15,7 +15,7 @@ export function handleKey(event: KeyboardEvent, station: Station, fleet: FleetFo
     return false;
   }
   if (event.key === '?') {
-    station.desk.helpOpen = !station.desk.helpOpen;
+    station.view.helpOpen = !station.view.helpOpen;
     return true;
   }
   if (event.key === '/') {
@@ -43,26 +43,26 @@ function undoes(event: KeyboardEvent, station: Station): boolean {
 
 /** Esc closes one thing at a time, the newest first. */
 function stepBack(station: Station): boolean {
-  const { desk, planner, runs } = station;
-  if (desk.helpOpen) {
-    desk.helpOpen = false;
-  } else if (desk.target !== null) {
-    desk.target = null;
-  } else if (desk.page !== 'map') {
-    desk.page = 'map';
+  const { view, planner, runs } = station;
+  if (view.helpOpen) {
+    view.helpOpen = false;
+  } else if (view.target !== null) {
+    view.target = null;
+  } else if (view.page !== 'map') {
+    view.page = 'map';
   } else if (runs.tool !== null) {
-    runs.lay();
+    runs.clearTool();
   } else if (planner.droneId !== null) {
     planner.stop();
-  } else if (desk.selectedId !== null) {
-    desk.deselect();
+  } else if (view.selectedId !== null) {
+    view.deselect();
   } else {
-    return leavesRun(station);
+    return closesRun(station);
   }
   return true;
 }
 
-function leavesRun({ runs }: Station): boolean {
+function closesRun({ runs }: Station): boolean {
   if (runs.shown === null) {
     return false;
   }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { aDrone } from '../testing';
-import { axesOfKeys, drives, NEUTRAL, paceOf, sum, velocityOf, wordsOf } from './axes';
+import { axesOfKeys, drives, NEUTRAL, paceOf, sum, velocityOf, velocityText } from './axes';
 
 describe('axesOfKeys', () => {
   it('drives what stands on the ground like a car, by letters and arrows alike', () => {
@@ -42,18 +42,18 @@ describe('velocityOf', () => {
   });
 
   it('lets two hands pull no harder than one can', () => {
-    const hand = { ...NEUTRAL, forward: 0.8 };
-    expect(sum([hand, hand]).forward).toBe(1);
+    const input = { ...NEUTRAL, forward: 0.8 };
+    expect(sum([input, input]).forward).toBe(1);
   });
 });
 
 describe('words', () => {
   it('say which way it goes', () => {
     const pace = paceOf(1, false);
-    expect(wordsOf(velocityOf({ forward: -0.5, right: 0, up: 1, turn: 1 }, pace))).toBe(
+    expect(velocityText(velocityOf({ forward: -0.5, right: 0, up: 1, turn: 1 }, pace))).toBe(
       '0.5 m/s back, 1.0 m/s up, turning right',
     );
-    expect(wordsOf(velocityOf(NEUTRAL, pace))).toBe('standing still');
+    expect(velocityText(velocityOf(NEUTRAL, pace))).toBe('standing still');
   });
 
   it('take a robot of an unknown kind for one that drives', () => {

@@ -1,6 +1,6 @@
 import type { Drone, Velocity } from '../api/types';
 
-/** How far each control is moved, −1 to 1: ahead, to the right, upwards, and turning clockwise. */
+/** The deflection of each control, −1 to 1: ahead, to the right, upwards, and turning clockwise. */
 export interface Axes {
   forward: number;
   right: number;
@@ -8,7 +8,7 @@ export interface Axes {
   turn: number;
 }
 
-/** How fast the controls make it go at their ends: metres and degrees a second. */
+/** Speeds at full deflection: metres and degrees a second. */
 export interface Pace {
   speed: number;
   climb: number;
@@ -30,10 +30,10 @@ const GROUND_TURN = 60;
 const AIR_TURN = 45;
 const FASTEST_CLIMB = 2;
 
-type Pull = [keyof Axes, number];
+type AxisInput = [keyof Axes, number];
 
 /** The places of keys, whatever letters a keyboard has there. */
-const GROUND_KEYS: Readonly<Record<string, Pull>> = {
+const GROUND_KEYS: Readonly<Record<string, AxisInput>> = {
   KeyW: ['forward', 1],
   KeyS: ['forward', -1],
   KeyA: ['turn', -1],
@@ -44,7 +44,7 @@ const GROUND_KEYS: Readonly<Record<string, Pull>> = {
   ArrowRight: ['turn', 1],
 };
 
-const AIR_KEYS: Readonly<Record<string, Pull>> = {
+const AIR_KEYS: Readonly<Record<string, AxisInput>> = {
   KeyW: ['forward', 1],
   KeyS: ['forward', -1],
   KeyA: ['right', -1],
@@ -72,19 +72,19 @@ export function isSteeringKey(code: string, ground: boolean): boolean {
   return code in (ground ? GROUND_KEYS : AIR_KEYS);
 }
 
-/** What the keys that are down mean together; null when none of them is one to steer with. */
+/** The axes of all keys that are down; null when none of them steers. */
 export function axesOfKeys(down: ReadonlySet<string>, ground: boolean): Axes | null {
   const keys = ground ? GROUND_KEYS : AIR_KEYS;
-  const pulls = [...down].map((code) => keys[code]).filter((pull) => pull !== undefined);
-  return pulls.length === 0 ? null : sum(pulls.map(([axis, way]) => ({ ...NEUTRAL, [axis]: way })));
+  const inputs = [...down].map((code) => keys[code]).filter((input) => input !== undefined);
+  return inputs.length === 0 ? null : sum(inputs.map(([axis, way]) => ({ ...NEUTRAL, [axis]: way })));
 }
 
-/** Several hands at once pull together, none of the axes beyond its end. */
-export function sum(hands: Iterable<Axes>): Axes {
+/** Adds the inputs of several sources, each axis within its range. */
+export function sum(inputs: Iterable<Axes>): Axes {
   const all = { ...NEUTRAL };
-  for (const hand of hands) {
+  for (const input of inputs) {
     for (const axis of Object.keys(all) as (keyof Axes)[]) {
-      all[axis] = bounded(all[axis] + hand[axis]);
+      all[axis] = bounded(all[axis] + input[axis]);
     }
   }
   return all;
@@ -112,16 +112,16 @@ function rounded(value: number): number {
 }
 
 /** "0.3 m/s ahead, turning right", for people. */
-export function wordsOf(velocity: Velocity): string {
+export function velocityText(velocity: Velocity): string {
   const parts = [
-    speedWords(velocity.forward, 'ahead', 'back'),
-    speedWords(velocity.right, 'right', 'left'),
-    speedWords(-velocity.down, 'up', 'down'),
+    speedText(velocity.forward, 'ahead', 'back'),
+    speedText(velocity.right, 'right', 'left'),
+    speedText(-velocity.down, 'up', 'down'),
     velocity.turn === 0 ? '' : `turning ${velocity.turn > 0 ? 'right' : 'left'}`,
   ].filter((part) => part !== '');
   return parts.length === 0 ? 'standing still' : parts.join(', ');
 }
 
-function speedWords(speed: number, positive: string, negative: string): string {
+function speedText(speed: number, positive: string, negative: string): string {
   return speed === 0 ? '' : `${Math.abs(speed).toFixed(1)} m/s ${speed > 0 ? positive : negative}`;
 }

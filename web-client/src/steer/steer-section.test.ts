@@ -8,22 +8,22 @@ import SteerSection from './SteerSection.svelte';
 const MAY = anAction();
 
 describe('steer section', () => {
-  let said: (Velocity | 'let go' | 'closed')[];
+  let sent: (Velocity | 'let go' | 'closed')[];
   let refuse: (why: string) => void;
   let made: Station;
 
   beforeEach(() => {
     vi.useFakeTimers();
-    said = [];
+    sent = [];
     made = new Station();
     made.connection.up();
     made.session = { name: 'olga', role: 'operator', mustChangePassword: false, organisation: null };
     vi.spyOn(made, 'steering').mockImplementation((_, onRefused) => {
       refuse = onRefused;
       return {
-        steer: (velocity) => said.push(velocity) > 0,
-        letGo: () => said.push('let go'),
-        close: () => said.push('closed'),
+        steer: (velocity) => sent.push(velocity) > 0,
+        letGo: () => sent.push('let go'),
+        close: () => sent.push('closed'),
       };
     });
   });
@@ -43,7 +43,7 @@ describe('steer section', () => {
   }
 
   function ahead(): number {
-    return said.filter((one) => typeof one === 'object' && one.forward > 0).length;
+    return sent.filter((one) => typeof one === 'object' && one.forward > 0).length;
   }
 
   it('moves as long as a key is down, and says so', async () => {
@@ -51,11 +51,11 @@ describe('steer section', () => {
     await fireEvent.keyDown(pad(), { code: 'KeyW' });
     await vi.advanceTimersByTimeAsync(450);
     expect(ahead()).toBe(5);
-    expect(screen.getByRole('status').textContent).toContain('You are steering: 0.3 m/s ahead');
+    expect(screen.getByRole('status').textContent).toContain('Steering: 0.3 m/s ahead');
     await fireEvent.keyUp(pad(), { code: 'KeyW' });
     await vi.advanceTimersByTimeAsync(1000);
-    expect(said.slice(5)).toEqual(['let go']);
-    expect(screen.getByRole('status').textContent).toBe('Nobody steers from here');
+    expect(sent.slice(5)).toEqual(['let go']);
+    expect(screen.getByRole('status').textContent).toBe('Not steering');
   });
 
   it.each([
@@ -71,15 +71,15 @@ describe('steer section', () => {
     expect(ahead()).toBe(1);
     await happens();
     await vi.advanceTimersByTimeAsync(1000);
-    expect(said.slice(1)).toEqual(['let go']);
+    expect(sent.slice(1)).toEqual(['let go']);
     await fireEvent.keyDown(pad(), { code: 'ArrowUp', repeat: true });
-    expect(said.slice(1)).toEqual(['let go']);
+    expect(sent.slice(1)).toEqual(['let go']);
   });
 
   it('steers nothing, with the reason, where it may not', async () => {
     show(anAction('Take off first.'));
     await fireEvent.keyDown(pad(), { code: 'KeyW' });
-    expect(said).toEqual([]);
+    expect(sent).toEqual([]);
     expect(screen.getByText('Take off first.')).toBeDefined();
   });
 
@@ -88,7 +88,7 @@ describe('steer section', () => {
     await fireEvent.keyDown(pad(), { code: 'KeyW' });
     refuse('bob has control.');
     await vi.advanceTimersByTimeAsync(500);
-    expect(said.slice(1)).toEqual(['let go']);
+    expect(sent.slice(1)).toEqual(['let go']);
     expect(screen.getByRole('alert').textContent).toBe('bob has control.');
   });
 
@@ -96,14 +96,14 @@ describe('steer section', () => {
     const { unmount } = show();
     await fireEvent.keyDown(pad(), { code: 'KeyW' });
     unmount();
-    expect(said.slice(1)).toEqual(['let go', 'closed']);
+    expect(sent.slice(1)).toEqual(['let go', 'closed']);
   });
 
   it('is faster when one wants it to be', async () => {
     show();
     await fireEvent.input(screen.getByRole('slider'), { target: { value: '1' } });
     await fireEvent.keyDown(pad(), { code: 'KeyS' });
-    expect(said[0]).toMatchObject({ forward: -1, turn: 0, frame: 'vehicle' });
+    expect(sent[0]).toMatchObject({ forward: -1, turn: 0, frame: 'vehicle' });
   });
 });
 

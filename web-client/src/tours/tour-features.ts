@@ -1,39 +1,39 @@
 import type { Feature, FeatureCollection, Position } from 'geojson';
 import type { FleetPlan, PlanPlace } from '../api/plans';
 import type { Coordinates } from '../geo/coordinates';
-import { toneOf } from './tour-line';
+import { toneOf } from './tour-text';
 
-/** One line a drone: straight from waypoint to waypoint while it is searched for, then as it is flown. */
+/** One line for each drone: straight from waypoint to waypoint during the search, then as it is flown. */
 export function tourFeatures(
   plan: FleetPlan | null,
   places: ReadonlyMap<string, Coordinates>,
-  standOf: (drone: string) => Coordinates | null,
+  startOf: (drone: string) => Coordinates | null,
 ): FeatureCollection {
   if (plan === null || plan.state === 'cancelled' || plan.state === 'failed') {
     return { type: 'FeatureCollection', features: [] };
   }
-  const features = plan.result === null ? sketched(plan, places, standOf) : flown(plan, standOf);
+  const features = plan.result === null ? sketched(plan, places, startOf) : flown(plan, startOf);
   return { type: 'FeatureCollection', features: features.filter((one) => one !== null) };
 }
 
 function sketched(
   plan: FleetPlan,
   places: ReadonlyMap<string, Coordinates>,
-  standOf: (drone: string) => Coordinates | null,
+  startOf: (drone: string) => Coordinates | null,
 ): (Feature | null)[] {
   return (plan.orders ?? []).map(({ drone, waypoints }) => {
-    const stand = standOf(drone);
+    const start = startOf(drone);
     const visits = waypoints.map((id) => places.get(id)).filter((place) => place !== undefined);
-    const way = stand === null ? visits : [stand, ...visits, stand];
+    const way = start === null ? visits : [start, ...visits, start];
     return visits.length === 0 ? null : line(plan, drone, way.map(positionOf));
   });
 }
 
-function flown(plan: FleetPlan, standOf: (drone: string) => Coordinates | null): (Feature | null)[] {
+function flown(plan: FleetPlan, startOf: (drone: string) => Coordinates | null): (Feature | null)[] {
   const tours = (plan.result?.tours ?? []).flatMap((tour) => {
-    const stand = standOf(tour.drone);
+    const start = startOf(tour.drone);
     const way: (Coordinates | PlanPlace)[] = [
-      ...(stand === null ? [] : [stand]),
+      ...(start === null ? [] : [start]),
       ...tour.stops.flatMap((stop) => [...stop.via, stop]),
       ...tour.back,
     ];

@@ -3,19 +3,19 @@ import type { FleetPlan, PlanProgress, PlanTour } from '../api/plans';
 import { Problem } from '../api/problem';
 import { addWaypoint, changeWaypoint, emptyDraft, reordered } from '../plan/draft';
 import { Tours } from '../state/tours.svelte';
-import { NO_DEMAND } from './demand';
+import { NO_REQUIREMENTS } from './requirements';
 import {
   barsOf,
   compared,
-  flightLine,
-  gapLine,
-  orderLine,
-  stateLine,
+  flightText,
+  gapText,
+  orderText,
+  stateText,
   stepsOf,
   waypointsOf,
-} from './tour-line';
+} from './tour-text';
 import { tourFeatures } from './tour-features';
-import { whyNotAsked, whyNotWished } from './wishes';
+import { whyRequirementsInvalid, whyOptionsInvalid } from './plan-limits';
 
 const PLACES = new Map([
   ['1', { latitude: 47.1, longitude: 8.1 }],
@@ -69,19 +69,19 @@ function plan(change: Partial<FleetPlan>): FleetPlan {
 
 describe('a plan for several drones', () => {
   it('never calls itself better than it is proved to be', () => {
-    expect(gapLine(progress({ gap: 0.071 }))).toBe('The best plan there is may be up to 8 % better.');
-    expect(gapLine(progress({ gap: 0 }))).toBe('This is the best plan there is.');
-    expect(gapLine(progress({ gap: 1, unserved: 2 }))).toBe('2 waypoints left out.');
+    expect(gapText(progress({ gap: 0.071 }))).toBe('The best plan there is may be up to 8 % better.');
+    expect(gapText(progress({ gap: 0 }))).toBe('This is the best plan there is.');
+    expect(gapText(progress({ gap: 1, unserved: 2 }))).toBe('2 waypoints left out.');
   });
 
   it('says how far it is', () => {
-    expect(stateLine(plan({}))).toBe('Looking for a first plan …');
-    expect(stateLine(plan({ progress: progress({ longestSeconds: 100 }) }))).toBe(
+    expect(stateText(plan({}))).toBe('Looking for a first plan …');
+    expect(stateText(plan({ progress: progress({ longestSeconds: 100 }) }))).toBe(
       'Getting better: all done after 1 min 40 s.',
     );
-    expect(stateLine(plan({ state: 'failed', why: 'No.' }))).toBe('No.');
+    expect(stateText(plan({ state: 'failed', why: 'No.' }))).toBe('No.');
     expect(
-      flightLine({ drone: 'd1', name: 'd1', stage: 'failed', why: 'No.', code: 'not-armed', command: null }),
+      flightText({ drone: 'd1', name: 'd1', stage: 'failed', why: 'No.', code: 'not-armed', command: null }),
     ).toBe('failed: No.');
   });
 
@@ -151,7 +151,7 @@ describe('a plan for several drones', () => {
   it('asks for what each waypoint wants, and for the rest of nothing', () => {
     const draft = addWaypoint(addWaypoint(emptyDraft(), HOME, 20), HOME, 30);
     const wants = {
-      ...NO_DEMAND,
+      ...NO_REQUIREMENTS,
       priority: 10,
       opens: null,
       closes: 60,
@@ -161,7 +161,7 @@ describe('a plan for several drones', () => {
       pulse: 1900,
       sensors: 5,
     };
-    const [first, second] = waypointsOf(draft, (key) => (key === 2 ? wants : NO_DEMAND));
+    const [first, second] = waypointsOf(draft, (key) => (key === 2 ? wants : NO_REQUIREMENTS));
     expect(Object.keys(first ?? {})).not.toContain('priority');
     expect(second).toMatchObject({
       priority: 10,
@@ -174,18 +174,20 @@ describe('a plan for several drones', () => {
       ],
     });
     expect(Object.keys(first ?? {})).not.toContain('tasks');
-    expect(whyNotAsked({ ...wants, pulse: null }, 2)).toBe(
+    expect(whyRequirementsInvalid({ ...wants, pulse: null }, 2)).toBe(
       'The servo of waypoint 2 needs an output from 1 to 32 and 500 to 2500 µs.',
     );
-    expect(whyNotAsked({ ...wants, sensors: 0 }, 2)).toBe(
+    expect(whyRequirementsInvalid({ ...wants, sensors: 0 }, 2)).toBe(
       'Sensors are read for 1 to 3600 seconds at waypoint 2.',
     );
-    expect(whyNotAsked({ ...wants, opens: 61 }, 2)).toBe('Waypoint 2 ends before it begins.');
-    expect(whyNotWished({ seconds: 5, windSpeed: 4, windFrom: null })).toBe('Say where the wind comes from.');
-    expect(whyNotWished({ seconds: 61, windSpeed: null, windFrom: null })).toBe(
+    expect(whyRequirementsInvalid({ ...wants, opens: 61 }, 2)).toBe('Waypoint 2 ends before it begins.');
+    expect(whyOptionsInvalid({ seconds: 5, windSpeed: 4, windFrom: null })).toBe(
+      'Enter where the wind comes from.',
+    );
+    expect(whyOptionsInvalid({ seconds: 61, windSpeed: null, windFrom: null })).toBe(
       'Search for 0.1 to 60 seconds.',
     );
-    expect(whyNotWished({ seconds: 5, windSpeed: 4, windFrom: 270 })).toBeNull();
+    expect(whyOptionsInvalid({ seconds: 5, windSpeed: 4, windFrom: 270 })).toBeNull();
   });
 
   it('marks on the map what nobody visits', () => {
@@ -226,8 +228,8 @@ describe('a plan for several drones', () => {
     expect(stepsOf(steps.slice(0, 2), 5)).toBe('');
   });
 
-  it('tells what a better order saves, and changes the draft only as a whole', () => {
-    const line = orderLine({
+  it('shows what a better order saves, and changes the draft only as a whole', () => {
+    const line = orderText({
       order: [1, 0],
       before: { seconds: 100, distance: 900 },
       after: { seconds: 70, distance: 640 },
@@ -263,9 +265,9 @@ describe('a plan for several drones', () => {
       objective: { kind: 'weighted', longestWeight: 0.75, sumWeight: 0.25, everyDrone: false },
       wind: { speed: 4, from: 270 },
     });
-    tours.hear(plan({ id: 'other', state: 'finished' }));
+    tours.apply(plan({ id: 'other', state: 'finished' }));
     expect(tours.plan?.state).toBe('running');
-    tours.hear(plan({ state: 'finished', result: RESULT }));
+    tours.apply(plan({ state: 'finished', result: RESULT }));
     expect(tours.plan?.state).toBe('finished');
     await tours.accept(true);
     expect(tours.problem).toBe('It has moved.');
@@ -282,12 +284,12 @@ describe('a plan for several drones', () => {
 
   it('is found again after the page was opened anew, while something of it is under way', () => {
     const tours = new Tours({} as ConstructorParameters<typeof Tours>[0]);
-    tours.hear(plan({ id: 'old', state: 'finished', result: RESULT }));
+    tours.apply(plan({ id: 'old', state: 'finished', result: RESULT }));
     expect(tours.plan).toBeNull();
     expect(tours.others.map((one) => one.id)).toEqual(['old']);
-    tours.hear(plan({ id: 'running' }));
+    tours.apply(plan({ id: 'running' }));
     expect(tours.plan?.id).toBe('running');
-    tours.forget('running');
+    tours.applyRemoval('running');
     expect(tours.plan).toBeNull();
   });
 });

@@ -1,4 +1,4 @@
-/** What an unknown fact looks like. */
+/** The text for an unknown value. */
 export const UNKNOWN = '—';
 
 export function fixed(value: number | null | undefined, digits = 0): string {
@@ -26,7 +26,7 @@ export function distance(meters: number): string {
   return meters < 1000 ? `${Math.round(meters)} m` : `${(meters / 1000).toFixed(2)} km`;
 }
 
-/** How long ago, in the fewest words that a pilot needs. */
+/** An age as short text. */
 export function age(milliseconds: number | null): string {
   if (milliseconds === null) {
     return UNKNOWN;

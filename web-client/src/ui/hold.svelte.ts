@@ -20,7 +20,7 @@ const browserClock: HoldClock = {
 
 /**
  * A press that only counts when it is held for 0.8 s; `progress` runs from 0 to 1 for the ring. What counts are the
- * times at which the hand acted (the time stamps of the events), not when a busy page got round to them.
+ * times of the input events (their time stamps), not when a busy page handled them.
  */
 export class Hold {
   progress = $state(0);

@@ -93,7 +93,7 @@ export function withoutLastPoint(draft: ZoneDraft): ZoneDraft {
   return { ...draft, points: draft.points.slice(0, -1) };
 }
 
-/** What is still missing, as a sentence; null when it can be sent. */
+/** The first thing that is missing, as a sentence; null when it can be sent. */
 export function missing(draft: ZoneDraft): string | null {
   return (
     missingOfShape(draft) ?? missingOfTerms(draft) ?? (draft.name.trim() === '' ? 'Give it a name.' : null)
@@ -114,10 +114,10 @@ function missingOfShape(draft: ZoneDraft): string | null {
 
 function missingOfTerms(draft: ZoneDraft): string | null {
   if (draft.binds === 'drone' && draft.drone === null) {
-    return 'Choose the drone that it binds.';
+    return 'Select the drone that it applies to.';
   }
   if (draft.binds === 'user' && draft.user.trim() === '') {
-    return 'Name the user whom it binds.';
+    return 'Enter the user that it applies to.';
   }
   const over = draft.from !== '' && draft.until !== '' && draft.from >= draft.until;
   return over ? 'It must end after it begins.' : null;

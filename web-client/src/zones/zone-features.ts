@@ -5,7 +5,7 @@ import type { ZoneDraft } from './zone-draft';
 const CIRCLE_CORNERS = 72;
 const METERS_PER_DEGREE = 111_195;
 
-/** What is drawn of a zone. */
+/** The part of a zone that is drawn. */
 type Area = Pick<Zone, 'geometry'> & { properties: Pick<Zone['properties'], 'name' | 'kind' | 'radius'> };
 
 /** The zones as areas, circles too; across the date line in one piece. */
@@ -13,12 +13,12 @@ export function zoneFeatures(zones: readonly Area[]): FeatureCollection {
   return {
     type: 'FeatureCollection',
     features: zones.map((zone) =>
-      area(ringOf(zone), { kind: zone.properties.kind, label: zone.properties.name }),
+      area(outlineOf(zone), { kind: zone.properties.kind, label: zone.properties.name }),
     ),
   };
 }
 
-/** What is being drawn: its points, and its edge as far as there is one. */
+/** The zone that is being drawn: its points, and its edge as far as there is one. */
 export function zoneDraftFeatures(draft: ZoneDraft | null): FeatureCollection {
   const features: Feature[] = [];
   if (draft !== null) {
@@ -40,8 +40,8 @@ export function zoneDraftFeatures(draft: ZoneDraft | null): FeatureCollection {
   return { type: 'FeatureCollection', features };
 }
 
-/** Where the map has to look to show it. */
-export function ringOf(zone: Area): Position[] {
+/** The outline of a zone, for fitting the map. */
+export function outlineOf(zone: Area): Position[] {
   return zone.geometry.type === 'Point'
     ? circle(zone.geometry.coordinates, zone.properties.radius ?? 0)
     : closed(zone.geometry.coordinates[0] ?? []);

@@ -3,8 +3,8 @@ import { ZoneCalls, type Zone } from '../api/zones';
 import { Zones } from '../state/zones.svelte';
 import { aZone } from '../testing';
 import { draftOf, featureOf, missing, newZone, withoutLastPoint, withPoint } from './zone-draft';
-import { ringOf, zoneDraftFeatures, zoneFeatures } from './zone-features';
-import { zoneLine } from './zone-line';
+import { outlineOf, zoneDraftFeatures, zoneFeatures } from './zone-features';
+import { zoneText } from './zone-text';
 
 const HERE = { latitude: 47, longitude: 8 };
 
@@ -39,8 +39,8 @@ describe('a zone that is drawn', () => {
 
   it('says whom it binds and when', () => {
     const named = { ...withPoint(newZone('circle'), HERE), name: 'Park' };
-    expect(missing({ ...named, binds: 'drone' })).toBe('Choose the drone that it binds.');
-    expect(missing({ ...named, binds: 'user', user: ' ' })).toBe('Name the user whom it binds.');
+    expect(missing({ ...named, binds: 'drone' })).toBe('Select the drone that it applies to.');
+    expect(missing({ ...named, binds: 'user', user: ' ' })).toBe('Enter the user that it applies to.');
     expect(missing({ ...named, from: '2026-05-04T12:00', until: '2026-05-04T11:00' })).toContain('end after');
     const timed = featureOf({ ...named, binds: 'user', user: ' bob ', from: '2026-05-04T12:00' }).properties;
     expect(timed).toMatchObject({ user: 'bob', drone: null, until: null });
@@ -85,7 +85,7 @@ describe('a zone that is drawn', () => {
 
 describe('a zone on the map', () => {
   it('draws circles as areas of their size', () => {
-    const north = Math.max(...ringOf(aZone()).map(([, latitude = 0]) => latitude));
+    const north = Math.max(...outlineOf(aZone()).map(([, latitude = 0]) => latitude));
     expect((north - 47) * 111_195).toBeCloseTo(100, 3);
     expect(zoneFeatures([aZone()]).features[0]?.properties).toEqual({ kind: 'exclusion', label: 'School' });
   });
@@ -105,7 +105,7 @@ describe('a zone on the map', () => {
         ],
       },
     };
-    expect(ringOf(zone)[1]?.[0]).toBeCloseTo(180.1, 6);
+    expect(outlineOf(zone)[1]?.[0]).toBeCloseTo(180.1, 6);
   });
 
   it('shows what is drawn so far', () => {
@@ -117,9 +117,9 @@ describe('a zone on the map', () => {
 
 describe('the list of zones', () => {
   it('says in one line what a zone means', () => {
-    expect(zoneLine(aZone(), () => null)).toBe('keep out · at any height · on breach hold');
+    expect(zoneText(aZone(), () => null)).toBe('keep out · at any height · on breach hold');
     expect(
-      zoneLine(
+      zoneText(
         aZone({ kind: 'inclusion', floor: 10, ceiling: 60, drone: 'd1', onBreach: 'land' }),
         () => 'Eagle',
       ),
@@ -128,11 +128,11 @@ describe('the list of zones', () => {
 
   it('follows what the cloud says', () => {
     const zones = new Zones(new ZoneCalls(vi.fn()));
-    zones.hear(aZone({ name: 'B' }));
-    zones.hear({ ...aZone({ name: 'A' }), id: 'z2' });
-    zones.hear(aZone({ name: 'C' }));
+    zones.apply(aZone({ name: 'B' }));
+    zones.apply({ ...aZone({ name: 'A' }), id: 'z2' });
+    zones.apply(aZone({ name: 'C' }));
     expect(zones.all.map((zone) => zone.properties.name)).toEqual(['A', 'C']);
-    zones.forget('z2');
+    zones.applyRemoval('z2');
     expect(zones.all).toHaveLength(1);
   });
 

@@ -1,0 +1,28 @@
+import { describe, expect, it } from 'vitest';
+import type { LinkState } from '../api/types';
+import { droneFeatures } from '../map/features';
+import { aDrone } from '../testing';
+import { linkStateText, statusOf } from './drone-status';
+
+const replayed = (state: LinkState) =>
+  aDrone({ replay: true, armed: true, link: { ...aDrone().link, state } });
+
+describe('status', () => {
+  it('calls a replay that has ended just that, and no lost drone', () => {
+    expect(statusOf(replayed('ended'))).toEqual({ word: 'Replay ended', tone: 'neutral' });
+    expect(linkStateText('ended')).toBe('Ended');
+  });
+
+  it('does not count on the map how long ago a replay ended', () => {
+    const [ended] = droneFeatures([replayed('ended')], null, () => 90_000).features;
+    expect(ended?.properties).toMatchObject({ age: '', icon: expect.stringContaining('plain') as string });
+    const [lost] = droneFeatures([replayed('lost')], null, () => 90_000).features;
+    expect(lost?.properties?.['age']).toBe('1 min ago');
+  });
+
+  it('alarms of a lost drone only when it may still fly', () => {
+    const lost = aDrone({ link: { ...aDrone().link, state: 'lost' }, armed: true });
+    expect(statusOf(lost).tone).toBe('red');
+    expect(statusOf({ ...lost, armed: false }).tone).toBe('neutral');
+  });
+});

@@ -1,0 +1,39 @@
+import type { StreamMessage } from '../api/types';
+import type { Station } from './station.svelte';
+
+type Stores = Pick<Station, 'zones' | 'virtuals' | 'tours' | 'runs' | 'follows'>;
+
+/** Applies a message about zones, plans or operations to the store that holds them. */
+export function applyUpdate(message: StreamMessage, { zones, virtuals, tours, runs, follows }: Stores): void {
+  switch (message.type) {
+    case 'zone':
+      zones.apply(message.zone);
+      break;
+    case 'zoneRemoved':
+      zones.applyRemoval(message.id);
+      break;
+    case 'virtualDrone':
+      virtuals.apply(message.virtualDrone);
+      break;
+    case 'virtualDroneRemoved':
+      virtuals.applyRemoval(message.id);
+      break;
+    case 'plan':
+      tours.apply(message.plan);
+      break;
+    case 'planRemoved':
+      tours.applyRemoval(message.id);
+      break;
+    case 'run':
+      runs.apply(message.run);
+      break;
+    case 'follow':
+      follows.apply(message.follow);
+      break;
+    case 'followNow':
+      follows.applyNow(message.id, message.now);
+      break;
+    default:
+      break;
+  }
+}
