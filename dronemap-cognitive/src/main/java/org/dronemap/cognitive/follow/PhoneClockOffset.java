@@ -8,8 +8,8 @@ import java.util.Deque;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Converts times of a followed phone's clock to the cloud's clock. A message that went quickly shows best how far the
- * clocks are apart; of the last minute that one counts. Owned by one thread.
+ * Converts time stamps of a phone to the cloud's clock, while drones follow that phone. A message that went quickly
+ * shows best how far the clocks are apart; of the last minute that one counts. Owned by one thread.
  */
 public final class PhoneClockOffset {
     private static final Duration REMEMBERED = Duration.ofMinutes(1);

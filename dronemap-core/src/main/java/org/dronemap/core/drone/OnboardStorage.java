@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Copy of what was read from a vehicle's memory: parameters, log list, fence and rally points; null where never read.
- * Immutable. Immutable.
+ * Immutable.
  */
 public record OnboardStorage(
         ParameterSet parameters,

@@ -2,7 +2,10 @@ package org.dronemap.core.lease;
 
 import java.util.List;
 
-/** Result of an event in the lease machine: new control, answer and changes. */
+/**
+ * Result of one event for the lease machine: who controls the drone next, the answer to whoever asked, and the changes
+ * to announce.
+ */
 public record LeaseStep(ControlState control, LeaseAnswer answer, List<ControlChange> changes) {
     public LeaseStep {
         changes = List.copyOf(changes);

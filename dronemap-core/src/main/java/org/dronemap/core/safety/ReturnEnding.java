@@ -7,7 +7,7 @@ import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.VehicleKind;
 import org.jspecify.annotations.Nullable;
 
-/** Ending of a commanded return: the drone lands at home, circles there, or that is not known. Pure. Pure. */
+/** Ending of a commanded return: the drone lands at home, circles there, or that is not known. Pure. */
 public enum ReturnEnding {
     /** It lands, as most do. */
     LANDS,

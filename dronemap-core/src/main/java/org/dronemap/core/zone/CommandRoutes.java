@@ -9,7 +9,10 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.mission.MissionItem;
 
-/** Predicts the route along which a command would send a drone, so that it can be checked against zones. */
+/**
+ * Predicts the route along which a command would send a drone, to be checked against zones; a return home or a landing
+ * only for a warning.
+ */
 public final class CommandRoutes {
     private CommandRoutes() {}
 

@@ -6,7 +6,8 @@ import org.dronemap.core.process.PeerCrashGuard;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The DTLS keys, TLS certificate, WebSocket limits and crash guard that endpoints are opened with.
+ * Protection that endpoints are opened with: DTLS keys, TLS certificate, WebSocket limits, and the guard that refuses
+ * peers suspected of crashing the server.
  *
  * @param keys what vehicles prove themselves with on DTLS links
  * @param tls the server's certificate for {@code wssserver://}, asked for each new connection; null: it has none

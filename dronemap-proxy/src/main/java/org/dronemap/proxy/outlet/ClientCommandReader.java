@@ -16,7 +16,8 @@ import org.dronemap.proxy.mavlink.translate.AutopilotAdapter;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads a ground station's MAVLink command at the outlet as a command of the cloud; most kinds are refused. Stateless.
+ * Translates a MAVLink command, which a user's own ground station sends at the outlet, into a command of the cloud;
+ * kinds that are not in its table are refused. Stateless.
  */
 final class ClientCommandReader {
     static final int SET_MODE = 176;

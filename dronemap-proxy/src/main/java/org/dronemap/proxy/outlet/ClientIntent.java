@@ -2,9 +2,7 @@ package org.dronemap.proxy.outlet;
 
 import org.dronemap.core.command.Command;
 
-/**
- * What a MAVLink command of a ground station at the outlet asks for: a command, a message, control, or nothing allowed.
- */
+/** Intent of a MAVLink command of a ground station at the outlet: a command, a message, control, or nothing allowed. */
 sealed interface ClientIntent {
     /** A command of the cloud, through its gate. */
     record Order(Command command) implements ClientIntent {}

@@ -4,7 +4,10 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.mavlink.FrameSigner;
 import org.jspecify.annotations.Nullable;
 
-/** What a ground station was admitted to the outlet by: its user's key, or a personal port. Any thread. */
+/**
+ * Credential that a ground station was admitted to the outlet by: its user's key, or a personal port. Any thread. Any
+ * thread.
+ */
 sealed interface OutletCredential permits UserKey, PersonalPort {
     String user();
 

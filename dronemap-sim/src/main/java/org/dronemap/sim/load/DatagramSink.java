@@ -8,7 +8,7 @@ import java.nio.ByteBuffer;
 import java.nio.channels.AsynchronousCloseException;
 import java.nio.channels.DatagramChannel;
 
-/** Load test: receives and counts the datagrams that a router under test forwards. */
+/** Load test: counts the datagrams that mavlink-router forwards, for comparison with the cloud. */
 final class DatagramSink {
     private static final System.Logger LOG = System.getLogger(DatagramSink.class.getName());
     private static final int LARGEST = 65_535;

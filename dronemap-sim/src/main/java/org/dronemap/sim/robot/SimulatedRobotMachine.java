@@ -4,8 +4,8 @@ import java.util.Map;
 import tools.jackson.databind.JsonNode;
 
 /**
- * The machine behind a simulated robot's bridge: its state, its reports, and what it does when ordered. Owned by the
- * fleet's thread.
+ * A simulated robot without its bridge, such as a rover: moves, gives the content of reports, and carries out orders.
+ * Owned by the fleet's thread.
  */
 interface SimulatedRobotMachine {
     /** The number of its kind in heartbeats. */

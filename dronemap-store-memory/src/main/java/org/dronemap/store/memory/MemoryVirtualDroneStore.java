@@ -13,8 +13,8 @@ import org.dronemap.core.virtual.VirtualDroneStore;
 import org.dronemap.store.StoreException;
 
 /**
- * Keeps virtual drones, and which drones of the warehouse may serve them, in memory, for tests. Thread-safe: every
- * method holds the object's lock.
+ * Keeps virtual drones (a user owns one, a real drone flies for it), and which real drones are in the warehouse to
+ * serve them, in memory, for tests. Thread-safe: every method holds the object's lock.
  */
 public final class MemoryVirtualDroneStore implements VirtualDroneStore {
     private final Map<VirtualDroneId, VirtualDrone> drones = new HashMap<>();

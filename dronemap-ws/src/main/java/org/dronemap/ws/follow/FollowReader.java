@@ -179,7 +179,7 @@ final class FollowReader {
     }
 
     private record Transmission(
-            Instant sent, Instant heard, @Nullable Duration roundTrip) {}
+            Instant sent, Instant receivedAt, @Nullable Duration roundTrip) {}
 
     private static TargetReport sighting(
             FollowRequest.@Nullable PositionRequest position, String field, Transmission said) {
@@ -209,7 +209,7 @@ final class FollowReader {
                 id == null ? then.toEpochMilli() : id,
                 then,
                 said.sent(),
-                said.heard(),
+                said.receivedAt(),
                 said.roundTrip(),
                 new Geodetic(
                         FieldRanges.latitude(field + ".latitude", position.latitude()),

@@ -8,7 +8,7 @@ import org.dronemap.ws.reading.WireTimes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Search criteria for flights; a null or empty one matches all.
+ * Query parameters of a search for flights, and of the logbook's export; a null or empty one matches all.
  *
  * @param user among those who commanded
  * @param from those that began then or later

@@ -13,8 +13,8 @@ import org.springframework.web.servlet.mvc.method.annotation.ResponseBodyAdvice;
 import org.springframework.web.util.WebUtils;
 
 /**
- * Spring advice that writes what REST handlers answer to SOAP calls as XML in place of JSON, which would have to be read
- * again.
+ * Spring advice for SOAP calls, which are passed on to REST handlers in the process: writes what a handler returns as
+ * XML at once, not as JSON first.
  */
 @ControllerAdvice
 public final class SoapResponseAdvice implements ResponseBodyAdvice<Object> {
