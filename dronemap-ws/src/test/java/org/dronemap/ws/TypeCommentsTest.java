@@ -7,7 +7,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -16,7 +15,7 @@ import org.junit.jupiter.api.Test;
 class TypeCommentsTest {
     private static final Pattern COMMENT_OF_TYPE = Pattern.compile(
             "/\\*\\*((?:(?!\\*/).)*+)\\*/\\s*(?:@\\w+(?:\\((?:[^()]|\\([^()]*\\))*\\))?\\s*)*"
-                    + "(?:(?:public|final|abstract|sealed|non-sealed) )*(?:class|interface|record|enum|@interface) ",
+                    + "(?:(?:public|private|protected|static|final|abstract|sealed|non-sealed) )*(?:class|interface|record|enum|@interface) ",
             Pattern.DOTALL);
     private static final Pattern QUESTION =
             Pattern.compile("[\\s*]*(What|How|Who|Whom|Whose|Where|When|Whether|Why|Which)\\b.*", Pattern.DOTALL);
@@ -43,8 +42,10 @@ class TypeCommentsTest {
     }
 
     private static boolean asks(String source) {
-        Matcher comment = COMMENT_OF_TYPE.matcher(source);
-        return comment.find() && QUESTION.matcher(comment.group(1)).matches();
+        return COMMENT_OF_TYPE
+                .matcher(source)
+                .results()
+                .anyMatch(comment -> QUESTION.matcher(comment.group(1)).matches());
     }
 
     private static List<Path> sources() throws IOException {

@@ -9,7 +9,7 @@ import org.dronemap.core.stored.Stored;
  * @param at to the millisecond
  */
 public record SignedAuditHead(Kind kind, AuditHead head, Instant at, String signature) {
-    /** What it says. */
+    /** Kinds of signed audit heads: beginning of the file, anchor of the chain's length, or restore of a backup. */
     @Stored(names = "BEGUN ANCHORED RESTORED")
     public enum Kind {
         /** The file begins here; what was before, it does not know. */

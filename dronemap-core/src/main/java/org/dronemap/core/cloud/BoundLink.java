@@ -11,7 +11,7 @@ final class BoundLink implements DroneLink {
     private final LinkSession session;
     private final Registrations registrations;
 
-    /** Where drones are registered. */
+    /** Registry of drones, as the link session of one drone uses it. */
     interface Registrations {
         boolean contains(ManagedDrone drone);
 

@@ -79,7 +79,7 @@ public final class CloudManager {
     private final BoundLink.Registrations registrations = new Registered();
     private volatile BiConsumer<DroneId, LinkSession> registrar = (drone, session) -> {};
 
-    /** Where the manager keeps things: the stores, and the thread that writes to them. */
+    /** Stores of the cloud manager, and the thread that writes to them. */
     public record Persistence(
             DroneStore drones,
             CommandStore commands,
@@ -88,8 +88,8 @@ public final class CloudManager {
             StoreWriter journal) {}
 
     /**
-     * What the manager goes by: when a drone is called lost, how control of one lasts, and after how many seconds one that does
-     * not hear the cloud any more shall come home.
+     * Rules of the cloud manager: when a drone counts as lost, timeouts of control, and seconds until return on cloud
+     * loss.
      */
     public record Rules(Watchdog watchdog, LeaseRules leases, int lossSeconds) {
         /** As long as a vehicle waits where nobody has said otherwise. */
@@ -368,7 +368,7 @@ public final class CloudManager {
         }
     }
 
-    /** What the session of a drone may ask of the manager. */
+    /** Access of a drone's link session to the cloud manager's registry and store of drones. */
     private final class Registered implements BoundLink.Registrations {
         @Override
         public boolean contains(ManagedDrone drone) {

@@ -39,7 +39,7 @@ final class CommandDispatcher {
     private final Clock clock;
     private final CloudListener listener;
 
-    /** Why the zones, or the bounds of a key, speak against a command. */
+    /** Check of a command against the zones and the flight bounds of an access key; gives the reason for a refusal. */
     interface RouteCheck {
         Optional<Refusal> whyNotThere(Principal principal, DroneState drone, Command command);
     }
@@ -226,7 +226,7 @@ final class CommandDispatcher {
         entry.drone().preparation().ended(entry, outcome);
     }
 
-    /** What the channel says of one command. */
+    /** Receiver of the vehicle channel's reports on one command; updates the command's record. */
     private final class Reporter implements VehicleChannel.Report {
         private final PendingCommand entry;
         private final Lane.PeriodicTask guard;

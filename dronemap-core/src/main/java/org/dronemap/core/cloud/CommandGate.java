@@ -56,7 +56,7 @@ public final class CommandGate {
     static final Source SAFETY = new Source(new Principal("dronemap", Role.SUPERVISOR), "rule");
 
     /**
-     * Who asks, through which face.
+     * Origin of a command: the caller and the interface (REST, stream …) that was used.
      *
      * @param epoch of the control that the client believes to have; null: says nothing
      * @param operation what the cloud conducts for that user and commands this; null: the user does

@@ -43,7 +43,7 @@ final class DroneControl {
     private volatile ControlState control;
     private volatile @Nullable String mode;
 
-    /** Where leases are kept, in the order of what happened. */
+    /** Store of control leases, and the thread that writes their changes in order. */
     record Persistence(LeaseStore store, StoreWriter journal) {}
 
     /** Hears in order of what happened, under the monitor; must return at once. */

@@ -50,7 +50,7 @@ final class ReturnWatch {
     private long alarmedNanos;
     private boolean alarmed;
 
-    /** What it was told, and since when it has not moved. */
+    /** One attempt to return or land a drone: the command sent, and since when the drone has not moved. */
     private static final class Attempt {
         private final ReturnOption rung;
         private final @Nullable LandingSite place;

@@ -44,7 +44,7 @@ final class SetpointForwarder implements Lane.PeriodicTask {
     private int stillLeft;
     private long stillNanos;
 
-    /** Where turns are written down, and who hears of them. */
+    /** Store and writer for records of steering sessions, and the listener that is notified of them. */
     record SteeringLog(CommandStore store, StoreWriter journal, CloudListener listener, Time time) {}
 
     /** Stops a vehicle that does not stand by itself once nobody steers it. */

@@ -33,7 +33,7 @@ public interface VehicleChannel {
     /** Asks for any sign of life. */
     void probe();
 
-    /** What becomes of a command. */
+    /** Callback for the progress and outcome of a command sent to a vehicle. */
     interface Report {
         /** The vehicle took it and is at it. */
         void accepted();

@@ -366,7 +366,7 @@ public sealed interface Command {
         }
     }
 
-    /** What has a file of its own. */
+    /** Commands that are declared in files of their own. */
     sealed interface Standalone extends Command
             permits GoToLocal,
                     EmergencyStop,

@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 
 /** The outcome of a command: succeeded, refused, failed, timed out, superseded or unknown. */
 public sealed interface Outcome {
-    /** What there is of outcomes; switched over without a default, so that a forgotten one does not compile. */
+    /** Kinds of outcomes; used in switches without a default, so that a missing case does not compile. */
     enum Kind {
         SUCCEEDED("succeeded"),
         REFUSED("refused"),

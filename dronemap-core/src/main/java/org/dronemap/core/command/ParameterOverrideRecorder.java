@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  */
 public interface ParameterOverrideRecorder {
     /**
-     * What was found, and what is going to be written.
+     * Cloud-loss parameters found on a vehicle, and the values that will be written.
      *
      * @param before what the vehicle does as it was found
      * @param after what it does with what is going to be written

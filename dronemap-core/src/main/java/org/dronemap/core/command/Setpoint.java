@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
 public sealed interface Setpoint {
     double WHOLE_TURN = 360;
 
-    /** What there is of setpoints; switched over without a default, so that a forgotten one does not compile. */
+    /** Kinds of setpoints; used in switches without a default, so that a missing case does not compile. */
     enum Kind {
         VELOCITY(Capability.VELOCITY, Steering.ORDERS),
         STICKS(Capability.STICKS, Steering.STICKS),
@@ -51,7 +51,7 @@ public sealed interface Setpoint {
         return equals(still());
     }
 
-    /** What the directions of a speed are counted from. */
+    /** Reference frame of a velocity: the vehicle's body (forward, right, down) or the earth (north, east, down). */
     enum Frame {
         /** Forward, right and down as the vehicle stands. */
         VEHICLE,
@@ -59,7 +59,7 @@ public sealed interface Setpoint {
         EARTH
     }
 
-    /** Where a vehicle looks while it moves. */
+    /** Yaw of a vehicle while it moves: any, a fixed heading or a turn rate. */
     sealed interface Facing {
         /** As the vehicle likes. */
         Facing ANY = new Any();
@@ -121,7 +121,7 @@ public sealed interface Setpoint {
     }
 
     /**
-     * What a pilot's sticks say, each −1 to 1 with 0 in the middle.
+     * Positions of a pilot's sticks, each −1 to 1 with 0 in the middle.
      *
      * @param forward pitch; a ground vehicle's throttle
      * @param right roll

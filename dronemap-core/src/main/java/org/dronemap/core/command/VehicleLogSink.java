@@ -25,7 +25,7 @@ public interface VehicleLogSink {
     /** How far the writing is. */
     State state();
 
-    /** What became of the pieces. */
+    /** State of the writing of a log: open, completely written or failed. */
     enum State {
         OPEN,
         /** The whole log is safe. */

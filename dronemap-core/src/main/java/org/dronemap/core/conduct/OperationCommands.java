@@ -33,7 +33,7 @@ final class OperationCommands {
     /** Of what could not be given; a server that stopped before it was given has no entry. */
     private final Map<CommandId, Refusal> neverGiven = new HashMap<>();
 
-    /** How far a command was when that was seen first. */
+    /** Newest record of a command, and when it was first seen in that form. */
     private record LastProgress(CommandRecord record, long seenNanos) {}
 
     OperationCommands(DroneGateway crew, LeaseHolder.Operation holder, LongSupplier nanoTime) {

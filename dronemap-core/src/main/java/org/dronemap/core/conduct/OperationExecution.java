@@ -52,7 +52,7 @@ final class OperationExecution<S, I> {
     private @Nullable I deciding;
     private long lookedNanos;
 
-    /** What operations are conducted with; {@code wake} asks for a turn soon. */
+    /** Services that operations are conducted with; {@code wake} requests an early round. */
     record Context(
             OperationStore store,
             DroneGateway crew,

@@ -50,7 +50,7 @@ final class VirtualRunExecutor {
     private final LinkLossTimer silence;
     private final ConcurrentHashMap<VirtualDroneId, List<DroneSelection.Unfit>> waitingFor = new ConcurrentHashMap<>();
 
-    /** What runs are driven by. */
+    /** Services that runs of virtual drones are driven with: state machine, rights and time. */
     record Context(VirtualRunMachine machine, VirtualDroneRights rights, Time time) {}
 
     VirtualRunExecutor(CloudManager cloud, VirtualDroneRegistry book, DroneGateway crew, Context means) {

@@ -28,7 +28,7 @@ public record Capabilities(
     public static final Capabilities UNKNOWN =
             new Capabilities(Set.of(), List.of(), Map.of(), Map.of(), Map.of(), false);
 
-    /** What a vehicle goes by in a mode. */
+    /** Control source of a vehicle in a flight mode, such as a pilot's sticks, commands or the mission on board. */
     @Stored(names = "STICKS ORDERS STANDS MISSION HOME SAFETY")
     public enum Steering {
         /** A pilot's sticks. */

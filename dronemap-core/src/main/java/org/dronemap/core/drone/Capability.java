@@ -38,7 +38,7 @@ public enum Capability {
     STICKS("be steered by sticks", Readiness.ARMED_BEFORE, Part.OPERATES),
     TRACK("be led by a place that moves", Readiness.UNDER_WAY, Part.OPERATES);
 
-    /** How the drone has to be for it. What has no motors to arm is always armed. */
+    /** State that a drone must be in for an action. What has no motors to arm is always armed. */
     public enum Readiness {
         /** It may be as it is. */
         ANY,
@@ -55,7 +55,7 @@ public enum Capability {
         WITH_MISSION
     }
 
-    /** What it is to a flight, which decides whose role may ask for it. */
+    /** Part of an action in a flight (preparation or operation), which decides which user roles may request it. */
     public enum Part {
         /** It prepares a flight and moves nothing: planners may, while the drone is disarmed. */
         PREPARES,

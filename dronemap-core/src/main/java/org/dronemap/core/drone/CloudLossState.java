@@ -17,7 +17,7 @@ public record CloudLossState(
         @Nullable Double returnMeters,
         String sentence,
         List<OverriddenParameter> outstanding) {
-    /** How far the cloud has come with it. */
+    /** State of the cloud-loss setting: set by the cloud, left as the owner set it, or impossible to set. */
     public enum State {
         /** It does what it is told here. */
         SET,

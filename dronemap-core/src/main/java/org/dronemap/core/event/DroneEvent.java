@@ -27,7 +27,7 @@ import org.jspecify.annotations.Nullable;
 
 /** A vehicle's report translated from its protocol, such as a position or mode; changes the state of its drone. */
 public sealed interface DroneEvent {
-    /** What there is of events; switched over without a default, so that a forgotten one does not compile. */
+    /** Kinds of events; used in switches without a default, so that a missing case does not compile. */
     enum Kind {
         IDENTIFIED(EarlyBuffering.NOT),
         MODE(EarlyBuffering.NEWEST),
@@ -69,7 +69,7 @@ public sealed interface DroneEvent {
         }
     }
 
-    /** What becomes of an event that is heard before it is known which drone the vehicle is. */
+    /** Buffering of an event that arrives before the vehicle's drone is identified: newest, first ones or none. */
     enum EarlyBuffering {
         /** The drone is told the newest. */
         NEWEST,
@@ -81,7 +81,7 @@ public sealed interface DroneEvent {
 
     Kind kind();
 
-    /** Who it is and what it can do; again whenever more becomes known. */
+    /** Event with a vehicle's identification and capabilities; repeated whenever more becomes known. */
     record Identified(Identification identification, Capabilities capabilities) implements DroneEvent {
         @Override
         public Kind kind() {

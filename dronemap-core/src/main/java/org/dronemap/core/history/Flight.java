@@ -33,7 +33,7 @@ public record Flight(
         String notes) {
     private static final int MOST_USERS = 20;
 
-    /** How far it is. */
+    /** State of a flight: running, contact lost or ended. */
     @Stored(names = "RUNNING LOST ENDED")
     public enum State {
         RUNNING,
@@ -42,7 +42,9 @@ public record Flight(
         ENDED
     }
 
-    /** What conducted it: its id, and how people call it, such as: The virtual drone “Survey” of ann. */
+    /**
+     * Operation that conducted a flight: its id and its name for people, such as: The virtual drone “Survey” of ann.
+     */
     public record FlightOperation(String id, String words) {}
 
     public Flight {

@@ -27,7 +27,7 @@ public record HistoryEvent(
         @Nullable String result,
         @Nullable String reason) {
 
-    /** What sort of thing happened. */
+    /** Kinds of events in a drone's history. */
     @Stored(names = "ARMED DISARMED MODE PHASE MESSAGE COMMAND MISSION CONTROL")
     public enum Kind {
         ARMED,

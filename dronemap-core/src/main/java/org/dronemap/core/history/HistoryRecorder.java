@@ -31,7 +31,7 @@ public final class HistoryRecorder implements CloudListener {
     private final ConcurrentHashMap<DroneId, DroneHistoryRecorder> watches = new ConcurrentHashMap<>();
     private final Map<DroneId, Flight> open = new HashMap<>();
 
-    /** Where things are kept. */
+    /** Store, writer, flight registry and maintenance of the history. */
     public record Persistence(
             TelemetryStore telemetry, TelemetryWriter writer, FlightRegistry flights, HistoryMaintenance keeper) {}
 

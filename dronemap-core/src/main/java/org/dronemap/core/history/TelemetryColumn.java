@@ -49,7 +49,7 @@ public enum TelemetryColumn {
     private final Kind kind;
     private final boolean required;
 
-    /** What stands in a column: the type in Java in brackets. */
+    /** Value type of a telemetry column, with its Java type in brackets. */
     public enum Kind {
         /** (String) */
         TEXT,

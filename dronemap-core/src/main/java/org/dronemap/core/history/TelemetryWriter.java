@@ -33,7 +33,7 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
     private static final long SLOW_NANOS = 60_000_000_000L;
 
     /**
-     * How it is done.
+     * Settings for writing telemetry in batches: interval, batch size, queue size and retry pause.
      *
      * @param every a batch is written this often, or sooner when one is full
      * @param batch the most points, or events, that are written at once
@@ -46,7 +46,7 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
                 new BatchSettings(Duration.ofMillis(250), 20_000, 60_000, Duration.ofSeconds(2));
     }
 
-    /** What is written at once. */
+    /** Telemetry points and events that are written to the store at once. */
     private record Batch(List<TelemetryPoint> points, List<HistoryEvent> events) {
         int size() {
             return points.size() + events.size();

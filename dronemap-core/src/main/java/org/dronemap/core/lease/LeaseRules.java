@@ -12,7 +12,7 @@ import java.time.Duration;
  * @param untilReturn from the hold to the return, when that is what happens
  */
 public record LeaseRules(Duration silence, Duration idle, Duration asking, OnLoss onLoss, Duration untilReturn) {
-    /** What a drone in manual or guided flight is told when its holder is lost. */
+    /** Action for a drone in manual or guided flight when the holder of its control is lost. */
     public enum OnLoss {
         NOTHING,
         HOLD,

@@ -5,7 +5,7 @@ import org.dronemap.core.stored.Stored;
 /** An altitude in metres with its reference: above home or above mean sea level. */
 @Stored(names = "meters reference")
 public record Altitude(double meters, Reference reference) {
-    /** What zero is. */
+    /** Zero level of an altitude: the home position or mean sea level. */
     @Stored(names = "HOME AMSL")
     public enum Reference {
         /** The vehicle's home position. */

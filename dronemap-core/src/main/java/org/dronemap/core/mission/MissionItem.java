@@ -7,7 +7,7 @@ import org.dronemap.core.stored.Stored;
 
 /** One item of a mission, such as a take-off, a waypoint or a photo. */
 public sealed interface MissionItem {
-    /** What there is of items; switched over without a default, so that a forgotten one does not compile. */
+    /** Kinds of mission items; used in switches without a default, so that a missing case does not compile. */
     enum Kind {
         TAKE_OFF("takeOff"),
         WAYPOINT("waypoint"),

@@ -55,7 +55,7 @@ public record OperationObservation(
     }
 
     /**
-     * Who has control of a drone, and what it has to be waited for.
+     * Control of a drone from an operation's view, and a mission transfer that it has to wait for.
      *
      * @param whyNotHeld why the operation has not, as a sentence; null: it has
      * @param whyNotAllowed why drones are not commanded for its user any more, as a sentence, whoever has control; null: they are

@@ -53,7 +53,7 @@ public record SavedOperation(
                 id, kind, owner.user(), owner.account(), owner.organisation(), name, at, null, 0, List.of(), "");
     }
 
-    /** Whom one is conducted for. */
+    /** Owner of an operation: the user whom it is conducted for, with account and organisation. */
     public record Owner(String user, String account, OrganisationId organisation) {}
 
     /** With the state that it begins with. */

@@ -12,7 +12,7 @@ import java.util.Map;
  * columns apart by tabs; the rest of a line after # is a remark.
  */
 public final class ParameterFile {
-    /** How a file is written. */
+    /** Format of a parameter file: comma-separated list (Mission Planner, MAVProxy) or QGroundControl table. */
     public enum Form {
         /** Name and value apart by a comma: Mission Planner, MAVProxy. */
         LIST,

@@ -26,7 +26,7 @@ public record Recording(
         State state,
         @Nullable String notice) {
 
-    /** Whether all of the flight is in it. */
+    /** State of a recording: running, complete or incomplete. */
     @Stored(names = "RUNNING COMPLETE INCOMPLETE")
     public enum State {
         RUNNING,

@@ -40,7 +40,7 @@ public interface RecordingArchive {
     DiskUsage room();
 
     /**
-     * What the recordings take and may take.
+     * Disk space and retention of the recordings: present use and limits.
      *
      * @param keepDays 0: for ever
      * @param removed how many were removed since the start to keep within this

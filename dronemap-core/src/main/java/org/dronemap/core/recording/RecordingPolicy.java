@@ -12,7 +12,7 @@ public record RecordingPolicy(When when, long mostBytes, int keepDays) {
     /** Every flight, up to 2 GB. */
     public static final RecordingPolicy DEFAULT = new RecordingPolicy(When.FLIGHTS, DEFAULT_BYTES, 0);
 
-    /** When a drone is recorded. */
+    /** Times at which a drone is recorded: during flights, always or never. */
     public enum When {
         /** From some seconds before arming until some seconds after disarming. */
         FLIGHTS,

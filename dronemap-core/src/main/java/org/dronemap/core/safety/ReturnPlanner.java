@@ -27,7 +27,7 @@ public final class ReturnPlanner {
     /** With so little left it falls before anybody comes: no zone is worse than that. */
     private static final double LAST_SECONDS = 60;
 
-    /** What the zones say, as sentences; empty: nothing speaks against it. */
+    /** Check of a return, a way or a landing against the zones, with objections as sentences; empty: no objection. */
     public interface ZoneCheck {
         Optional<String> againstReturn();
 
@@ -37,7 +37,7 @@ public final class ReturnPlanner {
     }
 
     /**
-     * Where a drone is in.
+     * Situation of a drone that has to return or land: its state, battery time, landing sites and failed options.
      *
      * @param secondsLeft what its battery lasts for; empty: not known
      * @param failed what was tried lately without success
@@ -51,7 +51,7 @@ public final class ReturnPlanner {
     }
 
     /**
-     * What is to be done, and why nothing better is.
+     * Next step to return or land a drone, and the reasons why nothing better is possible.
      *
      * @param rung null: nothing can be done
      * @param command null: nothing can be done

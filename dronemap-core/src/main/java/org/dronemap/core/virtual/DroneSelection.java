@@ -47,7 +47,7 @@ public record DroneSelection(List<DroneCandidate> candidates, Optional<DroneChoi
     /** A drone that cannot serve, and why. */
     public record Unfit(DroneId drone, UnfitReason why) {}
 
-    /** What else speaks against a drone: who has control of it, zones, rights. */
+    /** Check for further reasons against a drone: who has control of it, zones, rights. */
     public interface ExternalCheck {
         Optional<UnfitReason> to(DroneState drone, VirtualTourSection share);
     }
@@ -112,7 +112,7 @@ public record DroneSelection(List<DroneCandidate> candidates, Optional<DroneChoi
         return energetic(demand, drone, new Charge(stand, percent), objection);
     }
 
-    /** Where it stands, with how much in its battery. */
+    /** Position of a drone on the ground, and the charge of its battery in per cent. */
     private record Charge(Geodetic stand, int percent) {}
 
     private static Judged energetic(ServiceDemand demand, DroneState drone, Charge charge, ExternalCheck objection) {

@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
  * @param send null: nothing
  */
 public record VirtualRunStep(VirtualRun run, @Nullable Command send, Release release) {
-    /** What becomes of control of the drone. */
+    /** Effect of a step on control of the drone: keep, release, or keep until it is recalled and back. */
     public enum Release {
         KEEP,
         /** Given back. */

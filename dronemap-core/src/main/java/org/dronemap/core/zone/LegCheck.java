@@ -108,7 +108,7 @@ final class LegCheck {
     }
 
     /**
-     * How a leg lies to an edge.
+     * Position of a leg relative to the edge of a zone: distances, crossing, and whether it begins inside.
      *
      * @param startGapMeters from the beginning of the leg to the edge
      * @param metersToCrossing along the leg; infinite when it does not cross

@@ -7,7 +7,7 @@ package org.dronemap.core.zone;
  * @param sentence names the leg, the zone and a distance, or what is not known
  */
 public record RouteObjection(Kind kind, String sentence) {
-    /** What is known of a way that is not gone. */
+    /** Kinds of objections to a route: forbidden or not checkable. */
     public enum Kind {
         /** It leads where a drone must not be, or changes what may not be changed. */
         FORBIDDEN,

@@ -31,7 +31,7 @@ public final class ZoneBreachDetector {
     private final CoursePredictor course = new CoursePredictor();
     private final Map<String, Alert> alerts = new HashMap<>();
 
-    /** What was just found out. */
+    /** Result of a zone check of a drone in the air: predicted, new or continuing breach. */
     public sealed interface Finding {
         Zone zone();
 
@@ -45,7 +45,7 @@ public final class ZoneBreachDetector {
         record Continuing(Zone zone) implements Finding {}
     }
 
-    /** When there was danger last, when a breach, and when that was said; null: not yet. */
+    /** Times of the last danger, the last breach and its last report for one zone, in nanoseconds; null: not yet. */
     private record Alert(
             long lastNanos,
             @Nullable Long breachNanos,

@@ -16,7 +16,7 @@ public final class ZoneRegistry {
     private volatile List<Zone> zones = List.of();
     private volatile Function<DroneId, OrganisationId> owners = drone -> OrganisationId.HOME;
 
-    /** What was put in (new or changed), and the former forms of what was changed or taken out. */
+    /** Change of the zones: those put in (new or changed), and the former versions of those changed or removed. */
     public record Change(List<Zone> put, List<Zone> former) {}
 
     /** Who knows to whom drones belong; until it is said all belong to the default organisation. */

@@ -25,7 +25,7 @@ public record EndpointUrl(Kind kind, String host, int port, String path, int bau
     private static final Pattern ADDRESS =
             Pattern.compile("(\\[[0-9a-fA-F:.]+]|[^:/?#@\\s\\[\\]]+):(\\d{1,5})(/[^?#\\s]*)?");
 
-    /** How bytes travel, and who begins. */
+    /** Kinds of endpoints: the transport, and which end opens the connection. */
     @Stored(
             names = "udpserver udpclient tcpserver tcpclient serial wsserver wsclient wssserver wssclient "
                     + "dtlsserver")

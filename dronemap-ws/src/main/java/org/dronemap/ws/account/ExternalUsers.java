@@ -27,7 +27,7 @@ public final class ExternalUsers {
     private final SecretGenerator secrets;
 
     /**
-     * Whom the authority vouches for; authority and subject together stay the same for ever, the rest may change.
+     * Identity asserted by an external authority; authority and subject together never change, the rest may.
      *
      * @param name what people may read, if it says one
      * @param role null: roles are given here

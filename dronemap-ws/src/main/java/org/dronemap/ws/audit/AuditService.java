@@ -40,7 +40,7 @@ public final class AuditService {
     public record AuditPage(
             List<AuditView> records, @Nullable Long next) {}
 
-    /** What verifying said; {@code firstBad}: the number of the first record that is not as it was, or is missing. */
+    /** Result of an audit verification; {@code firstBad}: number of the first record that was altered or is missing. */
     @Schema(name = "AuditVerdictView")
     public record VerdictView(
             boolean sound, long records, @Nullable Long firstBad, String detail) {}

@@ -37,7 +37,7 @@ public final class Budgets {
 
     private record BudgetKey(WorkKind work, String user) {}
 
-    /** What was left at a moment. */
+    /** Budget left at a point in time. */
     private record Balance(double left, long atNanos) {}
 
     /** {@code nanoClock} is monotonic. */

@@ -34,7 +34,7 @@ public record CommandView(
         @Schema(description = "What may be a slip of the hand, such as a far place; told once, to who gave the command")
         List<String> warnings) {
 
-    /** How it ended; {@code by} says who refused. */
+    /** Outcome of a command; {@code by}: gate or vehicle, whichever refused it. */
     @Schema(name = "CommandOutcomeView")
     public record OutcomeView(
             @EnumValues(Outcome.Kind.class) String result,

@@ -43,7 +43,7 @@ public final class ControlService {
     private final GrantRegistry grants;
     private final OutletGateway outlet;
 
-    /** How it is now; {@code waiting}: the holder was asked, and decides. */
+    /** Control of a drone after a request; {@code waiting}: the present holder was asked, and decides. */
     public record Answer(ControlView control, boolean waiting) {}
 
     public ControlService(

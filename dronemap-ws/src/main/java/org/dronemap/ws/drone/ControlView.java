@@ -45,7 +45,7 @@ public record ControlView(
         }
     }
 
-    /** What happened: who did it or whom it befell, and who else it is about; null: the pilot, or nobody. */
+    /** Change of control: who did it or is affected by it, and who else is concerned; null: the pilot, or nobody. */
     @Schema(name = "ControlChangeView", description = "What happened to the control of a drone.")
     public record ChangeView(
             @EnumValues(ControlChange.Kind.class) String kind,

@@ -80,7 +80,7 @@ public record DroneView(
             @Schema(description = "Further addresses on which the same vehicle is heard")
             List<String> others) {}
 
-    /** How it showed who it is: its address, hardware, signature or link; only the last two prove it. */
+    /** Evidence of a drone's identity: address, hardware, signature or link; only the last two prove it. */
     @Schema(name = "DroneIdentityView")
     public record IdentityView(
             @EnumValues(IdentityEvidence.class) String evidence,
@@ -145,12 +145,12 @@ public record DroneView(
             @Nullable Integer satellites,
             @Nullable Double hdop) {}
 
-    /** Where it returns to; degrees and metres above sea level. */
+    /** Home position that the drone returns to; degrees and metres above sea level. */
     @Schema(name = "DroneHomeView")
     public record HomeView(double latitude, double longitude, double altitudeAmsl) {}
 
     /**
-     * What it does by itself when it does not hear the cloud any more. {@code state} is set, notSet or cannotBeSet;
+     * Action of a drone by itself when it has lost contact with the cloud. {@code state} is set, notSet or cannotBeSet;
      * {@code sentence} says it for people; {@code returnHeight} is metres above home, where the cloud chose it.
      */
     @Schema(name = "DroneCloudLossView")
@@ -188,7 +188,7 @@ public record DroneView(
     @Schema(name = "DroneMessageView")
     public record MessageView(@EnumValues(Severity.class) String severity, String text, Instant at) {}
 
-    /** Whether a command can be given now, and if not, why. */
+    /** Availability of a command now, with the reason when it cannot be given. */
     @Schema(name = "DroneActionView")
     public record ActionView(
             boolean allowed,

@@ -24,7 +24,7 @@ public final class EnrolmentService {
     private final DroneViewMapper views;
     private final OrganisationService organisations;
 
-    /** How a vehicle is let in; without a name it is called after what it is. */
+    /** Request to enrol a vehicle as a drone; without a name it is called by vehicle type and MAVLink system id. */
     @Schema(name = "EnrolRequest")
     public record EnrolRequest(
             @Size(min = 1, max = LONGEST_NAME) @Nullable String name,

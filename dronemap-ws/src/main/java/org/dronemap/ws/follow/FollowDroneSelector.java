@@ -48,7 +48,7 @@ final class FollowDroneSelector {
         this.cloud = cloud;
     }
 
-    /** What it has to do: come, stay for so many minutes, go home. */
+    /** Task of a drone for a follow: come, stay for so many minutes, return home. */
     record Task(Geodetic near, FollowOrder.RelativePlace place, double minutes) {
         private ServiceDemand demand(@Nullable Wind wind) {
             Altitude height = new Altitude(place.heightMeters(), Altitude.Reference.HOME);

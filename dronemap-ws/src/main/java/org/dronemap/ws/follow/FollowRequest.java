@@ -64,7 +64,7 @@ public final class FollowRequest {
             @Nullable
             Double patience) {}
 
-    /** Where a drone stays. */
+    /** Request to set the drone's place relative to the phone. */
     @Schema(
             name = "FollowPlaceRequest",
             description = "Where the drone stays beside the phone; what is left out stays as it is.")
@@ -99,7 +99,7 @@ public final class FollowRequest {
             @Nullable
             Double height) {}
 
-    /** What a phone saw. */
+    /** Request with positions measured by a phone. */
     @Schema(
             name = "FollowPositionsRequest",
             description = "Where the phone was, oldest first. Times are by its own clock.")

@@ -43,7 +43,7 @@ public final class FollowService {
     private final FollowViewMapper views;
     private final Warehouse warehouse;
 
-    /** What follows are conducted by. */
+    /** Services that follows are conducted with. */
     public record OperationContext(
             Operations operations, OperationKind<FollowState, FollowInput> kind, CloudManager cloud) {}
 

@@ -68,7 +68,7 @@ public record FollowView(
             @Schema(description = "It is on its way to replace the drone that follows; false: it flies home")
             boolean comes) {}
 
-    /** Where the drone stays. */
+    /** Place of the drone relative to the phone. */
     @Schema(name = "FollowPlaceView")
     public record PlaceView(
             @Schema(allowableValues = {"behind", "ahead", "fixed", "orbit"})
@@ -85,7 +85,7 @@ public record FollowView(
             @Schema(description = "metres above the drone's home")
             double height) {}
 
-    /** What changes all the time; what nobody knows is null. */
+    /** Live values of a follow, which change all the time; null: not known. */
     @Schema(name = "FollowNowView", description = "What changes all the time; null: nobody knows it.")
     public record NowView(
             @Nullable FollowPointView droneAt,
@@ -120,7 +120,7 @@ public record FollowView(
     @Schema(name = "FollowPointView")
     public record FollowPointView(double latitude, double longitude) {}
 
-    /** Where the phone said last that it is. */
+    /** Last position reported by the phone. */
     @Schema(name = "FollowPhoneView")
     public record PhoneView(
             FollowPointView at,

@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
 public final class HistoryStatusService {
     private final HistoryRecorder history;
 
-    /** What is kept where, and what is not. */
+    /** Status of the telemetry store: its server and trouble, and counts of records written, dropped and waiting. */
     @Schema(name = "HistoryView")
     public record HistoryView(
             @Schema(description = "What telemetry is kept in, with its version; null while it does not answer")

@@ -35,7 +35,7 @@ public final class TelemetryService {
     private final FlightService flights;
     private final InstantSource clock;
 
-    /** Whose telemetry is asked for, and when it usually is looked at. */
+    /** Drone whose telemetry is requested, with the default time range and the periods that the caller may see. */
     public record Subject(DroneId drone, String name, TimeRange usual, HistoryVisibility insight) {
         /** What is asked for, all of which has to be shown to the asker. */
         TimeRange span(TelemetrySearchRequest search) {

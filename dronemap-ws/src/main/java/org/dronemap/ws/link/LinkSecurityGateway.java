@@ -12,14 +12,14 @@ import org.jspecify.annotations.Nullable;
  * Port through which the services set MAVLink signing (policy and keys) of a drone's links in the proxy. Any thread.
  */
 public interface LinkSecurityGateway {
-    /** What is done to the key on a vehicle. */
+    /** Kinds of changes to the signing key on a vehicle: install, rotate or revoke. */
     enum Change {
         INSTALL,
         ROTATE,
         REVOKE
     }
 
-    /** Why something was not done, with a code that tells of a drone. */
+    /** Reason why a change of link security failed: a sentence, and a problem code that refers to a drone. */
     record Fault(ProblemCode code, String sentence) {}
 
     LinkSecurityView view(DroneId drone);

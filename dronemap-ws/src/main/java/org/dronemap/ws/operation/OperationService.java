@@ -52,7 +52,7 @@ public final class OperationService<S, I> {
     private final RandomGenerator random;
 
     /**
-     * What people call it.
+     * Words for a kind of operation in ids, sentences and problems.
      *
      * @param idPrefix its ids begin with it
      * @param one "mission run"

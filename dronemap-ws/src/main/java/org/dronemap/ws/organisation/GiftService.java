@@ -44,7 +44,7 @@ public final class GiftService {
     private final RecordingArchive recordings;
     private final Clock clock;
 
-    /** What goes along; without, nothing does. */
+    /** Options of a gift of a drone: whether its history goes along; without the option it does not. */
     @Schema(name = "GiftRequest")
     public record GiftRequest(
             @Schema(

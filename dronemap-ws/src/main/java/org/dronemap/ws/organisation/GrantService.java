@@ -54,7 +54,7 @@ public final class GrantService {
             @Nullable String from,
             @Nullable String until) {}
 
-    /** Whether somebody sees only what was granted. */
+    /** Request to restrict a user or group to the drones granted to it, or to end that restriction. */
     @Schema(name = "OnlyGrantedRequest")
     public record OnlyGrantedRequest(@Nullable Boolean onlyGranted) {}
 

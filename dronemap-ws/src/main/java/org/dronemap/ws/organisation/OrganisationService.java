@@ -46,7 +46,7 @@ public final class OrganisationService {
     private final Clock clock;
     private final SecretGenerator secrets = new SecretGenerator();
 
-    /** What it is called. */
+    /** Request with the name of an organisation. */
     @Schema(name = "OrganisationNameRequest")
     public record NameRequest(
             @Size(min = 1, max = OrganisationService.LONGEST_NAME) @Nullable

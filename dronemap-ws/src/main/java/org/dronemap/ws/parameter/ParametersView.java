@@ -40,7 +40,7 @@ public record ParametersView(@Nullable Instant readAt, int total, List<Parameter
     }
 
     /**
-     * What a file would change, or changes.
+     * Comparison of a parameter file with a vehicle: the values that loading it would change, or changes.
      *
      * @param unknown names that the vehicle does not have; they are left out
      * @param unfit values that the vehicle cannot hold; they are left out

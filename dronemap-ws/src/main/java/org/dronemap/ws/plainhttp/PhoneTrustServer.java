@@ -32,7 +32,7 @@ public final class PhoneTrustServer implements AutoCloseable {
     private final byte[] authority;
 
     /**
-     * Where it is and what it tells of.
+     * Address and port of the server, and the certificates and TLS port that it announces.
      *
      * @param authority PEM file of the authority that signed the certificate
      * @param certificate PEM file of the server's certificate

@@ -16,7 +16,7 @@ public record DroneLaunchStatus(
         Stage stage,
         @Nullable Reason why,
         @Nullable String command) {
-    /** What went wrong: a code of the catalogue and a sentence. */
+    /** Reason for a failure: a code of the problem catalogue and a sentence. */
     public record Reason(String code, String sentence) {
         static Reason of(ProblemCode code, String sentence) {
             return new Reason(code.word(), sentence);
@@ -27,7 +27,7 @@ public record DroneLaunchStatus(
         }
     }
 
-    /** How far it has come. */
+    /** Stage of one drone's launch, from upload of its mission to its start, hold-back or failure. */
     public enum Stage {
         UPLOADING,
         UPLOADED,

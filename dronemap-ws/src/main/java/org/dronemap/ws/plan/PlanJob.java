@@ -31,7 +31,7 @@ public final class PlanJob {
     /** Guarded by this: on the clock that durations are measured with. */
     private long endedNanos;
 
-    /** How far a job has come. */
+    /** State of a planning job. */
     enum State {
         QUEUED,
         RUNNING,
@@ -72,7 +72,7 @@ public final class PlanJob {
         }
     }
 
-    /** Whose it is, and when it was asked for. */
+    /** Owner of a planning job, and the time of its request. */
     record Origin(String owner, String account, OrganisationId organisation, Instant askedAt) {}
 
     PlanJob(String id, Origin origin, PlanJobInput order) {

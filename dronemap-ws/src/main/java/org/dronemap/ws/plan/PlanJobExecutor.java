@@ -41,7 +41,7 @@ public final class PlanJobExecutor implements AutoCloseable {
     private record RetainedJob(PlanJob job, Runnable work) {}
 
     /**
-     * How much may be planned.
+     * Limits on planning jobs: threads, queue length, jobs kept and under way, and how long ended ones are kept.
      *
      * @param kept of one organisation, whatever their state
      * @param underWay of one user

@@ -42,7 +42,7 @@ final class PlanLauncher {
     private final String face;
     private final Start start;
 
-    /** Whether drones are started, and what they do when they no longer hear the cloud. */
+    /** Start options of a plan: whether drones are started, and their action when they lose contact with the cloud. */
     record Start(boolean wanted, @Nullable String onCloudLoss) {}
 
     /** {@code caller}: who accepted the plan. */

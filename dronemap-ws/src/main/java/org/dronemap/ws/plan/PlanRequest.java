@@ -125,7 +125,7 @@ public record PlanRequest(
             @Nullable
             Double from) {}
 
-    /** How a plan is accepted. */
+    /** Request to accept a plan, with its start options. */
     @Schema(name = "PlanAcceptRequest", description = "How a plan is accepted.")
     public record AcceptRequest(
             @Schema(

@@ -42,7 +42,7 @@ public record PlanView(
     @Schema(name = "PlanDroneName")
     public record DroneName(String id, String name) {}
 
-    /** How good a plan is. */
+    /** Quality of a plan: duration, cost, waypoints left out and gap to the optimum. */
     @Schema(name = "PlanProgressView")
     public record ProgressView(
             @Schema(description = "Seconds since the search began")
@@ -69,7 +69,7 @@ public record PlanView(
     @Schema(name = "PlanOrderView")
     public record OrderView(String drone, List<String> waypoints) {}
 
-    /** What planning came to. */
+    /** Result of planning: the drones' tours, unserved waypoints and faults. */
     @Schema(name = "PlanResultView")
     public record ResultView(
             double endsSeconds,
@@ -82,7 +82,7 @@ public record PlanView(
             @Schema(description = "Whether speeds, power and batteries are those of the kind of vehicle, not measured")
             boolean assumed) {}
 
-    /** What one drone flies; seconds are those after the start of the plan. */
+    /** Tour of one drone; seconds count from the start of the plan. */
     @Schema(name = "PlanTourView")
     public record TourView(
             String drone,
@@ -121,11 +121,11 @@ public record PlanView(
     @Schema(name = "PlanPlaceView")
     public record PlaceView(double latitude, double longitude, double altitudeAmsl) {}
 
-    /** What nobody visits, and why. */
+    /** Waypoint that no drone visits, with the reason. */
     @Schema(name = "PlanUnservedView")
     public record UnservedView(String waypoint, String why, PlaceView place) {}
 
-    /** What became of it after it was accepted. */
+    /** Progress of a plan's launch after its acceptance, drone by drone. */
     @Schema(name = "PlanLaunchView")
     public record LaunchView(
             @Schema(description = "Whether something is still under way")

@@ -54,7 +54,7 @@ final class TourReader {
     }
 
     /**
-     * What is to be ordered.
+     * Planning problem of one drone whose waypoints are to be ordered, with the search time.
      *
      * @param lastStays whether the last waypoint is where the drone ends, and none of the problem's
      */

@@ -21,7 +21,7 @@ public record TourView(
 
         @Schema(description = "What cannot be visited, and why")
         List<PlanView.UnservedView> unserved) {
-    /** What a tour takes. */
+    /** Duration (seconds) and distance (metres over the ground) of a tour. */
     @Schema(name = "TourEffortView")
     public record EffortView(
             double seconds,

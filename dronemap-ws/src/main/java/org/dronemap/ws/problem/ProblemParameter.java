@@ -33,7 +33,7 @@ public enum ProblemParameter {
     WAYPOINT("waypoint", Type.TEXT, "id of the waypoint"),
     WHAT("what", Type.TEXT, "of which things");
 
-    /** What a value of it is in JSON. */
+    /** JSON type of a parameter's value: string or number. */
     public enum Type {
         TEXT("string"),
         NUMBER("number");

@@ -37,7 +37,7 @@ public record RecordingView(
     @Schema(name = "RecordingPage")
     public record Page(List<RecordingView> recordings, RoomView room) {}
 
-    /** What the recordings of the server take and may take. */
+    /** Disk space and retention of the server's recordings: present use and limits. */
     @Schema(name = "RecordingRoomView")
     public record RoomView(
             long usedBytes,

@@ -62,7 +62,7 @@ public final class RunJournalService {
             @Nullable
             String decision) {}
 
-    /** Whether a journal bears itself out. */
+    /** Result of replaying a run's journal: whether it gives the decisions recorded, and the first that differs. */
     @Schema(name = "RunReplayView", description = "Whether everything is decided again as it was written down.")
     public record JournalReplayView(
             boolean same,

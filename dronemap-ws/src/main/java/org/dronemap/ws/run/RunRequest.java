@@ -60,7 +60,7 @@ public final class RunRequest {
             @Nullable
             List<PlanRequest.@Nullable WaypointRequest> waypoints) {}
 
-    /** Where a waypoint is from now on. */
+    /** Request to move a waypoint. */
     @Schema(name = "RunMoveRequest", description = "Where a waypoint is from now on; what is left out stays.")
     public record MoveRequest(
             @Schema(description = "degrees") @Min(-FieldRanges.LATITUDE) @Max(FieldRanges.LATITUDE) @Nullable
@@ -86,7 +86,7 @@ public final class RunRequest {
             @Schema(description = "The id of the drone", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
             String drone) {}
 
-    /** Whether a proposal is flown. */
+    /** Request to accept or reject a proposal. */
     @Schema(name = "RunAnswerRequest", description = "Whether what was proposed is to be flown.")
     public record AnswerRequest(
             @Schema(requiredMode = Schema.RequiredMode.REQUIRED) @Nullable

@@ -43,7 +43,7 @@ public final class RunService {
     private final DroneService drones;
     private final OperationService<RunState, RunInput> desk;
 
-    /** What runs are conducted by. */
+    /** Services that mission runs are conducted with. */
     public record OperationContext(Operations operations, OperationKind<RunState, RunInput> kind, CloudManager cloud) {}
 
     public RunService(OperationContext conduct, PlanService plans, DroneService drones, Time time) {

@@ -53,7 +53,7 @@ public record RunView(
 
         @Schema(description = "The number of the newest entry of its journal")
         long journal) {
-    /** How far it is. */
+    /** Progress of a run: counts of its waypoints by state, of replans and of double visits. */
     @Schema(name = "RunCountsView")
     public record CountsView(
             int waypoints,
@@ -139,7 +139,7 @@ public record RunView(
             @Schema(description = "What came of it, as a sentence") @Nullable
             String words) {}
 
-    /** When it was learned that a drone had visited. */
+    /** Visit of a drone to a waypoint, with the time at which the cloud learned of it. */
     @Schema(name = "RunVisitView")
     public record VisitView(String drone, Instant at) {}
 
@@ -155,7 +155,7 @@ public record RunView(
             @Nullable String from,
             @Nullable String to) {}
 
-    /** What a plan comes to. */
+    /** Key figures of a plan: longest duration, cost and number of unserved waypoints. */
     @Schema(name = "RunFiguresView")
     public record FiguresView(
             @Schema(description = "When the last drone is at its end")

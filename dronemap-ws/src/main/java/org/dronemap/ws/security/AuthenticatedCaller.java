@@ -18,7 +18,7 @@ public record AuthenticatedCaller(
         @Nullable Instant until,
         boolean passwordSeen) {
 
-    /** What the caller showed. */
+    /** Kinds of credentials that a caller authenticated with: session, access key or password. */
     public enum Proof {
         SESSION,
         KEY,

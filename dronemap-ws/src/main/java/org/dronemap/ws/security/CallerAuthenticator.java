@@ -61,7 +61,7 @@ public final class CallerAuthenticator implements PasswordVerification {
     public record Credentials(
             @Nullable String name, @Nullable String password) {}
 
-    /** Who is signed in; {@code organisation}: its name, null for the default one. */
+    /** Signed-in user of a session; {@code organisation}: its name, null for the default one. */
     @Schema(name = "SessionView")
     public record SessionView(
             String name,
@@ -72,7 +72,7 @@ public final class CallerAuthenticator implements PasswordVerification {
     /** A new session with the token that goes into the cookie. */
     public record NewSession(String token, SessionView view) {}
 
-    /** What proof is judged by: the hashes, and the key of the machine's owner; and what was granted to whom. */
+    /** Means of verifying credentials: the hashes, and the key of the machine's owner; and the registry of grants. */
     public record Verifiers(
             PasswordHashing passwords, SecretGenerator secrets, String localKey, GrantRegistry grants) {}
 

@@ -78,7 +78,7 @@ final class OutletBuilder {
         }
     }
 
-    /** What a user may do who attaches: the same as anywhere. */
+    /** Rights of a user whose ground station attaches to the outlet: the same as anywhere else. */
     record AccountOutletRights(AccessStore store, GrantRegistry grants) implements OutletRights {
         @Override
         public Optional<Principal> principal(String user) {

@@ -56,7 +56,7 @@ public record ServerComponents(
         List<ServerPart> parts,
         ProcessStart beginning) {
 
-    /** Where it is kept what was done by whom, what writes it, and what vouches for it beside the database. */
+    /** Components of the audit trail: its store, what writes it, and the signed heads kept beside the database. */
     public record AuditComponents(
             AuditStore store, AuditHeadStore heads, AuditChain chain, AuditHeadWriter keeper, AuditRecorder recorder) {
         public AuditVerdict verify(@Nullable SignedAuditHead receipt) {

@@ -85,7 +85,7 @@ public record ServerSettings(
         }
     }
 
-    /** How much clients may cost, known and unknown ones. */
+    /** Limits on the load that clients, authenticated or not, may cause. */
     public record Protection(ClientLimits clients, BudgetRates rates, int streamsPerUser) {
         /** More than anybody has windows and programs, and a small part of what the server has room for. */
         public static final int DEFAULT_STREAMS = 100;

@@ -25,7 +25,7 @@ final class PhoneReachability {
     // Owned by the pump.
     private long roundNanos = System.nanoTime();
 
-    /** Who wants to know how phones are reached. */
+    /** Listener for changes of how phones are reached. */
     @FunctionalInterface
     interface ReachabilityListener {
         /** False when that follow is not under way. */

@@ -76,10 +76,10 @@ public final class StreamFace implements AutoCloseable {
     /** The address to listen at, the maker of connections, the reader of messages ({@link #LARGEST_MESSAGE_BYTES} at most). */
     public record Port(InetSocketAddress address, WebSocketServerFactory door, Draft draft) {}
 
-    /** Who has control of drones, and who steers them by it. */
+    /** Services of the stream for control of drones and for steering them. */
     public record ControlServices(ControlService controls, SteeringService steering) {}
 
-    /** Who may come in, who has to leave, and where it is taken down. */
+    /** Services of the stream for authentication, disconnection of users and audit records. */
     public record AccessServices(
             CallerAuthenticator authentication,
             StreamTickets tickets,
@@ -88,10 +88,10 @@ public final class StreamFace implements AutoCloseable {
             GrantRegistry grants,
             AuditRecorder audit) {}
 
-    /** How much users may do, how many streams they may have, and who may do what REST has, too. */
+    /** Limits of the stream: users' budgets, number of streams, and access rules of operations that REST has, too. */
     public record Limits(Budgets budgets, StreamClientRegistry crowd, RestOperations operations) {}
 
-    /** What is shown, and how. */
+    /** Services and mappers that supply the views shown on the stream. */
     public record ViewServices(
             DroneViewMapper drones,
             VirtualDrones virtuals,

@@ -59,7 +59,7 @@ final class StreamRequestHandler {
     private final JsonCodec json;
     private final AuditRecorder desk;
 
-    /** What of a request is known before its type: an answer names the request even where the rest cannot be read. */
+    /** Fields of a request that are read before its type is known, so that an error response can name the request. */
     @JsonIgnoreProperties(ignoreUnknown = true)
     record Head(@Nullable String type, @Nullable String requestId) {}
 

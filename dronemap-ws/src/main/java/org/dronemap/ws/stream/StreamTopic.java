@@ -50,10 +50,10 @@ public record StreamTopic<T>(
         }
     }
 
-    /** What is said of a thing that is gone, by its id. */
+    /** Message that clients get about a removed thing, built from its id. */
     public record Removal(Class<? extends StreamMessage> message, Function<String, StreamMessage> of) {}
 
-    /** Whom a thing is shown to: in words for people, and by its {@link Sight}. */
+    /** Audience of a topic: in words for people, and as its {@link Sight}. */
     public record Audience<T>(String words, Sight<T> sight) {
         /** For all of whom it looks alike. */
         public static <T> Audience<T> of(String words, Test<T> isShown) {
@@ -61,12 +61,12 @@ public record StreamTopic<T>(
         }
     }
 
-    /** Whether a thing is shown to somebody. */
+    /** Predicate that decides if a thing is shown to a user. */
     public interface Test<T> {
         boolean isShownTo(Principal who, T thing);
     }
 
-    /** What somebody sees of a thing. */
+    /** Function that gives a key for what a user may see of a thing; users with equal keys get the same message. */
     public interface Sight<T> {
         /** Null: nothing. For all to whom it says the same the thing looks alike: it is written once for them. */
         @Nullable

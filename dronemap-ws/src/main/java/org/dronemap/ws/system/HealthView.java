@@ -29,7 +29,7 @@ public record HealthView(
         DroneCounts drones,
         String version,
         long uptimeSeconds) {
-    /** How many drones there are of each sort: by link, ready to be armed, armed (in contact or not). */
+    /** Numbers of drones by link state (live, suspect, lost), ready to be armed, and armed (in contact or not). */
     @Schema(name = "HealthDroneCounts")
     public record DroneCounts(long live, long suspect, long lost, long ready, long armed) {}
 
@@ -47,7 +47,7 @@ public record HealthView(
     }
 
     /**
-     * How each part of the server is, for administrators.
+     * State of each part of the server, for administrators.
      *
      * @param ends how the server ended that made it careful, or at least the last one
      * @param refused peers that are not heard until the server is started again

@@ -34,7 +34,7 @@ public final class ServerMetrics {
     private final Supplier<OutletView> outlet;
 
     /**
-     * What was kept from doing harm since the start.
+     * Counts of refused work and of refused or disconnected clients since the start.
      *
      * @param work of each kind, beyond a user's budget
      * @param clients by why they were cut or turned away

@@ -30,7 +30,7 @@ public final class SystemService {
     private final long startedNanos = System.nanoTime();
 
     /**
-     * What clients have to know.
+     * Settings of the server that clients need.
      *
      * @param phonePage where phones learn to trust this server, by plain HTTP; null: nowhere
      */
@@ -43,7 +43,7 @@ public final class SystemService {
             @Nullable String phonePage) {}
 
     /**
-     * What has to work.
+     * Health checks of the server's parts.
      *
      * @param database it answers
      * @param links all ways in are open

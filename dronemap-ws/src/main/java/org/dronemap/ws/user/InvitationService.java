@@ -41,7 +41,10 @@ public final class InvitationService {
     private final SecretGenerator secrets;
     private final Clock clock;
 
-    /** Whom to invite as what, for how many days; seven, and into the asker's organisation, unless said otherwise. */
+    /**
+     * Request for an invitation: label, role, days and organisation; by default seven days, and the asker's
+     * organisation.
+     */
     @Schema(name = "NewInvitation")
     public record NewInvitation(
             @Size(min = 1, max = InvitationService.LONGEST_LABEL) @Nullable

@@ -31,7 +31,7 @@ public class RegistrationController {
     private final Optional<OidcSignIn> oidc;
 
     /**
-     * How people come in here.
+     * Registration policy of the server, and its sign-in provider.
      *
      * @param policy {@code approval}, {@code invitation} or {@code off}
      * @param signInWith the provider that people can sign in with; null: none

@@ -45,7 +45,7 @@ public final class RegistrationService {
     private final Clock clock;
     private final AttemptLimiter throttle;
 
-    /** What a person asks for; the invitation is the code from its link. */
+    /** Request of a person to register; the invitation is the code from its link. */
     @Schema(name = "RegistrationRequest")
     public record Request(
             @Nullable String name,
@@ -55,7 +55,7 @@ public final class RegistrationService {
 
             @Nullable String invitation) {}
 
-    /** What came of it: {@code active}, or {@code waiting} for an administrator. */
+    /** Result of a registration: {@code active}, or {@code waiting} for an administrator. */
     @Schema(name = "RegistrationAnswer")
     public record Answer(
             String name,

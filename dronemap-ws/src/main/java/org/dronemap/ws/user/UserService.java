@@ -42,7 +42,10 @@ public final class UserService {
             @Size(min = PasswordRule.SHORTEST, max = PasswordRule.LONGEST) @Nullable
             String password) {}
 
-    /** What shall change; null leaves it as it is. A user who waits is let in by {@code "state": "active"}. */
+    /**
+     * Request to change a user's role or state; null leaves it as it is. A user who waits is let in by {@code "state":
+     * "active"}.
+     */
     @Schema(name = "UserChange")
     public record Change(
             @EnumValues(Role.class) @Nullable String role,

@@ -26,7 +26,7 @@ public record VirtualDroneRequest(
         @Nullable
         List<MissionItemRequest> items) {
 
-    /** What a drone must be to serve. */
+    /** Requirements on a drone that may serve a virtual drone. */
     @Schema(name = "VirtualDroneNeedsView", description = "What a drone must be to serve.")
     public record NeedsView(
             @Schema(description = "null: any") @EnumValues(VehicleKind.class) @Nullable
@@ -59,7 +59,7 @@ public record VirtualDroneRequest(
             @Nullable
             Double radius) {}
 
-    /** How a mission is started. */
+    /** Request to start a mission, with the drone's action on loss of the cloud. */
     @Schema(name = "VirtualDroneStartRequest")
     public record StartRequest(
             @Schema(

@@ -81,7 +81,7 @@ public record VirtualDroneView(
             @Schema(description = "The same for programs; docs/problems.md lists them")
             String code) {}
 
-    /** How the drone is that serves it. */
+    /** Live state of the drone that serves the virtual drone. */
     @Schema(name = "VirtualDroneLiveView")
     public record LiveView(
             @EnumValues(LinkState.class) String link,

@@ -140,7 +140,7 @@ public final class VirtualDroneViewMapper {
         return actions;
     }
 
-    /** What can be done with a virtual drone. */
+    /** Actions on a virtual drone, each with the role that it needs. */
     enum VirtualAction {
         PLAN(Role.PLANNER),
         START(Role.OPERATOR),

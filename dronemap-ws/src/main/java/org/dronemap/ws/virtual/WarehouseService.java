@@ -45,8 +45,9 @@ public final class WarehouseService {
     }
 
     /**
-     * What waits for a drone, the first in turn first; {@code flies}: this one would arm and take off for it at once, were it
-     * in the warehouse and nobody had control of it. {@code name} and {@code owner} are null for those who may not see it.
+     * Virtual drone that waits for a drone, the first in turn first; {@code flies}: this drone would arm and take off
+     * for it at once, were it in the warehouse and nobody had control of it. {@code name} and {@code owner} are null
+     * for those who may not see it.
      */
     @Schema(name = "WarehouseProspectView")
     public record ProspectView(

@@ -30,7 +30,7 @@ public record ZoneFeature(
         @Nullable ZoneGeometry geometry,
         @Nullable ZoneProperties properties) {
 
-    /** What GeoJSON has no word for. */
+    /** Properties of a zone's GeoJSON feature that GeoJSON itself does not define. */
     @Schema(name = "ZoneProperties")
     public record ZoneProperties(
             @Size(min = 1, max = ZoneReader.LONGEST_NAME) @Nullable

@@ -34,7 +34,7 @@ public final class ZoneService {
     private final DroneService drones;
     private final Clock clock;
 
-    /** Where zones are kept, where they bind from, and the users that they may name. */
+    /** Store of zones, registry of the zones in force, and the store of the users that zones may name. */
     public record Stores(ZoneStore store, ZoneRegistry book, AccessStore users) {}
 
     public ZoneService(Stores keeping, DroneService drones, Clock clock) {

@@ -38,7 +38,9 @@ public final class Lane implements AutoCloseable {
         default void stoodStill(Duration how) {}
     }
 
-    /** When the task or tick that runs now began, for how long the lane had stood still by then; numbered. */
+    /**
+     * Start of the lane's current task or tick, total time that the lane had been stalled by then, and sequence number.
+     */
     private record Turn(long beganNanos, long stalledNanos, long number) {}
 
     private final BlockingQueue<Runnable> tasks;

@@ -21,7 +21,9 @@ public record Outlook(
         @Nullable Geodetic comesDown,
         @Nullable String comesDownWords,
         @Nullable Instant emptyAt) {
-    /** Whose it is. */
+    /**
+     * State of an airborne drone's control: held, waiting for somebody, returning, without any remedy, or left alone.
+     */
     public enum State {
         /** A user or an operation has it. */
         KEPT,

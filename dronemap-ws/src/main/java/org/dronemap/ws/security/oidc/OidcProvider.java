@@ -61,10 +61,10 @@ final class OidcProvider {
     private final ClientID client;
     private volatile @Nullable ProviderConfiguration known;
 
-    /** What the provider says of itself, and its keys, which are fetched anew when one is not among them. */
+    /** Metadata and ID-token validator of the provider; its keys are fetched again when one is not among them. */
     private record ProviderConfiguration(OIDCProviderMetadata metadata, IDTokenValidator validator) {}
 
-    /** What a sign-in has to come back with. */
+    /** Random values of one sign-in that the callback is verified with: state, nonce and PKCE code verifier. */
     record Secrets(State state, Nonce nonce, CodeVerifier verifier) {
         static Secrets random() {
             return new Secrets(new State(), new Nonce(), new CodeVerifier());

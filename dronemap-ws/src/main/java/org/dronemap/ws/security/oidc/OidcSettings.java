@@ -16,7 +16,10 @@ import org.jspecify.annotations.Nullable;
 public record OidcSettings(
         URI issuer, Client client, URI callback, String label, AccountState newAccounts, Roles roles) {
 
-    /** How this server is known to the provider; without a secret it is a public client, kept safe by PKCE alone. */
+    /**
+     * OAuth client registration of this server at the provider; without a secret a public client, protected by PKCE
+     * alone.
+     */
     public record Client(String id, @Nullable String secret) {
         @Override
         public String toString() {
@@ -25,7 +28,7 @@ public record OidcSettings(
     }
 
     /**
-     * Which roles the provider gives.
+     * Mapping of a claim of the provider to roles.
      *
      * @param claim null: none, administrators give them here
      * @param byValue of the claim

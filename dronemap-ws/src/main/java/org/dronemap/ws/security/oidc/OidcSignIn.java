@@ -52,10 +52,10 @@ public final class OidcSignIn {
 
     private record PendingSignIn(OidcProvider.Secrets secrets, String browserHash, Instant until) {}
 
-    /** Where the browser goes now, and what it has to keep to come back. */
+    /** Redirect of the browser to the provider, and the value that it has to keep for the callback. */
     public record SignInRedirect(URI address, String browser) {}
 
-    /** What the browser came back with. */
+    /** Parameters with which the browser returns from the provider. */
     public record SignInCallback(
             @Nullable String code,
             @Nullable String state,

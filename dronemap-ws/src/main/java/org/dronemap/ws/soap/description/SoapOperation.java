@@ -27,7 +27,7 @@ public record SoapOperation(
     /** An operation of REST: {@code path} with its variables in braces. */
     public record RestAddress(String id, String method, String path) {}
 
-    /** Where REST has a value. */
+    /** Location of a parameter in a REST request: path or query. */
     public enum Place {
         PATH,
         QUERY

@@ -26,6 +26,6 @@ public sealed interface XmlType {
     /** A text, a number or a truth value, as its attribute {@code type} says: {@code string}, {@code number}, {@code boolean}. */
     record Plain() implements XmlType {}
 
-    /** What {@link XmlTypes} has under the name. */
+    /** Reference by name to a type in {@link XmlTypes}. */
     record Named(String name) implements XmlType {}
 }

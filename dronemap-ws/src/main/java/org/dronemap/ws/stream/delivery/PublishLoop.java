@@ -23,7 +23,7 @@ public final class PublishLoop implements AutoCloseable {
         Pause round(long nowNanos);
     }
 
-    /** How long to rest after a round at least, whoever asks, and at most. */
+    /** Shortest rest after a round, which no request cuts short, and longest rest. */
     public record Pause(long leastNanos, long mostNanos) {
         /** However long others want. */
         public static final Pause ANY = new Pause(Long.MAX_VALUE, Long.MAX_VALUE);

@@ -28,7 +28,7 @@ public final class StreamEventRouter implements CloudListener {
     // Owned by the pump.
     private long movesNanos = System.nanoTime();
 
-    /** What has happened to who has a drone. */
+    /** Event that control of a drone has changed, with its new state. */
     public record ControlEvent(DroneId drone, ControlState now, ControlChange change) {}
 
     public void onChange(Consumer<DroneState> topic) {
