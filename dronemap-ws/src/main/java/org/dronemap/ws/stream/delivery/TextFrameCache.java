@@ -17,7 +17,7 @@ public final class TextFrameCache {
     /** The same text, by identity, is the same frame until {@link #clear}. */
     public List<Framedata> of(List<String> texts) {
         return texts.stream()
-                .map(text -> made.computeIfAbsent(text, SharedTextFrame::new))
+                .map(text -> made.computeIfAbsent(text, TextFrameCache::encode))
                 .toList();
     }
 
@@ -26,15 +26,10 @@ public final class TextFrameCache {
         made.clear();
     }
 
-    /** Whoever sends it reads its payload from the beginning, so that it can be sent again. */
-    private static final class SharedTextFrame extends TextFrame {
-        SharedTextFrame(String text) {
-            setPayload(ByteBuffer.wrap(text.getBytes(StandardCharsets.UTF_8)));
-        }
-
-        @Override
-        public ByteBuffer getPayloadData() {
-            return super.getPayloadData().duplicate();
-        }
+    /** The library leaves its payload as it was, ready to be sent again. */
+    private static Framedata encode(String text) {
+        TextFrame frame = new TextFrame();
+        frame.setPayload(ByteBuffer.wrap(text.getBytes(StandardCharsets.UTF_8)));
+        return frame;
     }
 }
