@@ -152,8 +152,8 @@ class PlansTest {
 
         TestHttpClient.Answer accepted = operator.post(PATH + "/" + id + "/accept?wait=30", "{\"start\":true}");
         assertThat(stages(accepted.json())).as(accepted.raw().body()).containsExactly("started", "started");
-        assertThat(kinds(falcon)).containsExactly("UploadMission", "SetCloudLoss", "Arm", "StartMission");
-        assertThat(kinds(heron)).containsExactly("UploadMission", "SetCloudLoss", "Arm", "StartMission");
+        assertThat(kinds(falcon)).containsExactly("UploadMission", "SetCloudLossAction", "Arm", "StartMission");
+        assertThat(kinds(heron)).containsExactly("UploadMission", "SetCloudLossAction", "Arm", "StartMission");
 
         assertThat(operator.post(PATH + "/" + id + "/accept", "{}").text("detail"))
                 .contains("is in the air; plan again");

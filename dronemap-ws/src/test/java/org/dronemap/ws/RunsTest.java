@@ -369,7 +369,7 @@ class RunsTest {
                 .isEqualTo(4);
         assertThat(run.path("end").asString()).isEqualTo("The run is over: all 4 waypoints visited.");
         assertThat(kinds(falcon))
-                .containsExactly("UploadMission", "SetCloudLoss", "SetReturnHeight", "Arm", "StartMission");
+                .containsExactly("UploadMission", "SetCloudLossAction", "SetReturnHeight", "Arm", "StartMission");
         assertThat(isHeldByARun(falcon)).isFalse();
         assertThat(operator.post(PATH + "/" + id + "/stop", "").status()).isEqualTo(409);
         JsonNode replay = operator.get(PATH + "/" + id + "/journal/replay").json();

@@ -76,7 +76,7 @@ class VirtualDronesTest {
         assertThat(flying.path("run").path("why").asString()).startsWith("“Falcon” was chosen: no other drone");
         assertThat(falcon.performed())
                 .extracting(command -> command.getClass().getSimpleName())
-                .containsExactly("UploadMission", "SetCloudLoss", "Arm", "StartMission");
+                .containsExactly("UploadMission", "SetCloudLossAction", "Arm", "StartMission");
         assertThat(run(operator, second).path("queue").path("position").asInt()).isEqualTo(1);
 
         falcon.reaches(0);

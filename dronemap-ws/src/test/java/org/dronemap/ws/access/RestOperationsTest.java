@@ -52,7 +52,7 @@ class RestOperationsTest {
 
         assertThatThrownBy(forgetful::afterSingletonsInstantiated)
                 .hasMessage(
-                        "The handler org.dronemap.ws.violation.HandlerViolations$Forgetful$forgotten has no @Access; say"
+                        "The handler org.dronemap.ws.violation.HandlerViolations$Forgetful.forgotten has no @Access; say"
                                 + " there who may call it, and what it is about.");
     }
 

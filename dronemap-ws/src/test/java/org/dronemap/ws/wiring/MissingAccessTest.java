@@ -23,7 +23,7 @@ class MissingAccessTest {
     void keepsTheServerFromStarting() {
         assertThatThrownBy(() -> start(HandlerViolations.Forgetful.class))
                 .hasMessage(
-                        "The handler org.dronemap.ws.violation.HandlerViolations$Forgetful$forgotten has no @Access; say"
+                        "The handler org.dronemap.ws.violation.HandlerViolations$Forgetful.forgotten has no @Access; say"
                                 + " there who may call it, and what it is about.")
                 .satisfies(failure ->
                         assertThat(StartFailureMessage.sentence(failure)).contains("Forgetful.forgotten"));

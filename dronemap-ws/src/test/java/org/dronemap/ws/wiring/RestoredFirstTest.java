@@ -157,7 +157,7 @@ class RestoredFirstTest {
         "ZoneStore.zones, false",
         "VirtualDroneStore.virtualDrones, false",
         "OperationStore.underWay, false",
-        "GrantStore.holdings, false",
+        "GrantStore.directory, false",
         "CommandStore.endUnfinished, false",
         "ZoneStore.zones, true",
         "VirtualDroneStore.virtualDrones, true",
