@@ -14,6 +14,13 @@ import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerCounters;
 import org.dronemap.proxy.endpoint.PeerHandler;
+import org.dronemap.proxy.outlet.client.OutletCounts;
+import org.dronemap.proxy.outlet.client.OutletStatus;
+import org.dronemap.proxy.outlet.rights.AddressRange;
+import org.dronemap.proxy.outlet.rights.OutletCredential;
+import org.dronemap.proxy.outlet.rights.OutletKeys;
+import org.dronemap.proxy.outlet.rights.OutletRightsWatch;
+import org.dronemap.proxy.outlet.rights.PortRange;
 import org.dronemap.proxy.session.FrameTap;
 import org.jspecify.annotations.Nullable;
 

@@ -7,11 +7,12 @@ import org.dronemap.core.cloud.SendAuthority;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.proxy.outlet.client.ClientMessageFilter;
 import org.dronemap.proxy.session.FrameTap;
 import org.jspecify.annotations.Nullable;
 
 /** Passes the frames of one vehicle on to the outlet, and keeps the newest message of each kind. Any thread. */
-final class OutletFrameTap implements FrameTap {
+public final class OutletFrameTap implements FrameTap {
     private static final int MOST_KEPT = 512;
 
     private final Outlet outlet;
@@ -27,19 +28,19 @@ final class OutletFrameTap implements FrameTap {
         this.component = component;
     }
 
-    int component() {
+    public int component() {
         return component;
     }
 
     /** The autopilot's last message of this kind; null when none came. */
     @Nullable
-    Frame newest(int messageId) {
+    public Frame newest(int messageId) {
         return newest.get(messageId << 8 | component);
     }
 
     /** As it lies on the vehicle; null until it was read. */
     @Nullable
-    List<MissionItemInt> mission() {
+    public List<MissionItemInt> mission() {
         return missionKnown ? mission : null;
     }
 

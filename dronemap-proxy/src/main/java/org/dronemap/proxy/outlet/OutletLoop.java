@@ -15,6 +15,16 @@ import org.dronemap.core.time.Loop;
 import org.dronemap.core.time.Time;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.proxy.endpoint.Peer;
+import org.dronemap.proxy.outlet.client.ClientMessage;
+import org.dronemap.proxy.outlet.client.ClientMessageFilter;
+import org.dronemap.proxy.outlet.client.OutletClient;
+import org.dronemap.proxy.outlet.client.OutletCounts;
+import org.dronemap.proxy.outlet.client.OutletStatus;
+import org.dronemap.proxy.outlet.client.OutletSystemIdRegistry;
+import org.dronemap.proxy.outlet.rights.OutletCredential;
+import org.dronemap.proxy.outlet.rights.OutletRightsWatch;
+import org.dronemap.proxy.outlet.uplink.ClientMessageDispatcher;
+import org.dronemap.proxy.outlet.uplink.ControlStatusPublisher;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -23,7 +33,7 @@ import org.slf4j.LoggerFactory;
  * The single thread that serves all ground stations attached to the outlet, and the list of them. What comes in waits
  * in bounded queues; what happens to clients belongs to the thread.
  */
-final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable {
+public final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(OutletLoop.class);
     private static final int MOST_CLIENTS = 200;
     private static final int MOST_FROM_CLIENTS = 4_096;

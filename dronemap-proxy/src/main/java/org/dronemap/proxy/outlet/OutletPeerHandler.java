@@ -7,6 +7,9 @@ import org.dronemap.mavlink.signing.SignatureVerdict;
 import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerCounters;
 import org.dronemap.proxy.endpoint.PeerHandler;
+import org.dronemap.proxy.outlet.client.OutletCounts;
+import org.dronemap.proxy.outlet.rights.OutletKeys;
+import org.dronemap.proxy.outlet.rights.UserKey;
 import org.jspecify.annotations.Nullable;
 
 /**

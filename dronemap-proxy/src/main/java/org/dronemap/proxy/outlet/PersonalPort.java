@@ -16,13 +16,15 @@ import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerAddress;
 import org.dronemap.proxy.endpoint.PeerCounters;
 import org.dronemap.proxy.endpoint.PeerHandler;
+import org.dronemap.proxy.outlet.rights.AddressRange;
+import org.dronemap.proxy.outlet.rights.OutletCredential;
 import org.jspecify.annotations.Nullable;
 
 /**
  * A UDP port of the outlet for one user's program that cannot sign; it can only watch, from one address. Nothing there
  * is proved, so that it lets nobody do more than look. Any thread.
  */
-final class PersonalPort implements OutletCredential, PeerHandler.Factory {
+public final class PersonalPort implements OutletCredential, PeerHandler.Factory {
     private final Outlet outlet;
     private final Terms terms;
     private final LongSupplier nanoTime;

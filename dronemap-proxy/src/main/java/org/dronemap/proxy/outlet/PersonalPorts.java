@@ -15,6 +15,9 @@ import org.dronemap.proxy.endpoint.Endpoint;
 import org.dronemap.proxy.endpoint.EndpointSecurity;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.endpoint.PeerAddress;
+import org.dronemap.proxy.outlet.client.OutletStatus;
+import org.dronemap.proxy.outlet.rights.AddressRange;
+import org.dronemap.proxy.outlet.rights.PortRange;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

@@ -29,6 +29,7 @@ import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.TestCloud;
 import org.dronemap.proxy.endpoint.DtlsKeys;
 import org.dronemap.proxy.endpoint.EndpointSecurity;
+import org.dronemap.proxy.outlet.rights.AddressRange;
 import org.dronemap.proxy.session.FrameTap;
 import org.jspecify.annotations.Nullable;
 
