@@ -62,7 +62,7 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
 
     /** Looks at once what the users of all clients may do now; may wait for the store. */
     public void judgeAnew() {
-        rights.judge(room);
+        rights.judge(room.clients());
     }
 
     /**
@@ -73,7 +73,7 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
      */
     public void start(boolean patient) throws IOException {
         room.start();
-        rights.start(room, ports::sweep);
+        rights.start(room::clients, ports::sweep);
         for (int number = 0; number < urls.size(); number++) {
             String id = "outlet-" + (number + 1);
             if (patient) {

@@ -33,7 +33,7 @@ import org.slf4j.LoggerFactory;
  * The single thread that serves all ground stations attached to the outlet, and the list of them. What comes in waits
  * in bounded queues; what happens to clients belongs to the thread.
  */
-public final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable {
+final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(OutletLoop.class);
     private static final int MOST_CLIENTS = 200;
     private static final int MOST_FROM_CLIENTS = 4_096;

@@ -24,7 +24,7 @@ import org.jspecify.annotations.Nullable;
  * A UDP port of the outlet for one user's program that cannot sign; it can only watch, from one address. Nothing there
  * is proved, so that it lets nobody do more than look. Any thread.
  */
-public final class PersonalPort implements OutletCredential, PeerHandler.Factory {
+final class PersonalPort implements OutletCredential, PeerHandler.Factory {
     private final Outlet outlet;
     private final Terms terms;
     private final LongSupplier nanoTime;
@@ -74,6 +74,11 @@ public final class PersonalPort implements OutletCredential, PeerHandler.Factory
     @Override
     public @Nullable FrameSigner signer() {
         return null;
+    }
+
+    @Override
+    public boolean onlyLooks() {
+        return true;
     }
 
     /** Looks, whatever else the user may. */

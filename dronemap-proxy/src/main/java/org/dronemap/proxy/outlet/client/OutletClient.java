@@ -15,15 +15,15 @@ import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.endpoint.Peer;
-import org.dronemap.proxy.outlet.PersonalPort;
 import org.dronemap.proxy.outlet.rights.OutletCredential;
+import org.dronemap.proxy.outlet.rights.RightsHolder;
 import org.jspecify.annotations.Nullable;
 
 /**
  * One ground station or program attached to the outlet: its user's rights and its send queue. Owned by the outlet's
  * thread; only {@link #setRights} comes from another one.
  */
-public final class OutletClient {
+public final class OutletClient implements RightsHolder {
     /** MAV_COMP_ID_MISSIONPLANNER: what speaks for a ground station. */
     private static final int OWN_COMPONENT = 190;
 
@@ -78,11 +78,12 @@ public final class OutletClient {
         return pass;
     }
 
-    /** It came by a port at which nothing is ever changed. */
+    /** It came by something by which nothing is ever changed. */
     public boolean onlyLooks() {
-        return pass instanceof PersonalPort;
+        return pass.onlyLooks();
     }
 
+    @Override
     public String user() {
         return pass.user();
     }
@@ -106,6 +107,7 @@ public final class OutletClient {
     }
 
     /** What its user may do from now on; null: nothing any more. Any thread. */
+    @Override
     public void setRights(@Nullable Principal now) {
         principal = now == null ? null : pass.rights(now);
     }

@@ -15,6 +15,9 @@ public interface OutletCredential {
     @Nullable
     FrameSigner signer();
 
+    /** Whether nothing is ever changed by it, whatever its user may do. */
+    boolean onlyLooks();
+
     /** What of its user's rights comes along. */
     Principal rights(Principal user);
 }

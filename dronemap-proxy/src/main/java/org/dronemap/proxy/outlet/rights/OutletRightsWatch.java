@@ -1,14 +1,14 @@
 package org.dronemap.proxy.outlet.rights;
 
 import java.time.Duration;
+import java.util.List;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.time.ScheduledTask;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.time.Worker;
-import org.dronemap.proxy.outlet.OutletLoop;
-import org.dronemap.proxy.outlet.client.OutletClient;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -33,9 +33,9 @@ public final class OutletRightsWatch implements AutoCloseable {
         this.thread = time.worker("outlet-rights", MOST_WAITING);
     }
 
-    /** Looks at the clients that there are from now on, and does {@code often} as often. */
-    public void start(OutletLoop room, Runnable often) {
-        ScheduledTask unused = thread.every(RHYTHM, RHYTHM, () -> look(room, often));
+    /** Looks from now on at those who are attached at the time, and does {@code often} as often. */
+    public void start(Supplier<? extends List<? extends RightsHolder>> attached, Runnable often) {
+        ScheduledTask unused = thread.every(RHYTHM, RHYTHM, () -> look(attached, often));
     }
 
     /**
@@ -61,10 +61,10 @@ public final class OutletRightsWatch implements AutoCloseable {
         }
     }
 
-    private void look(OutletLoop room, Runnable often) {
+    private void look(Supplier<? extends List<? extends RightsHolder>> attached, Runnable often) {
         try {
             often.run();
-            judge(room);
+            judge(attached.get());
             if (++rounds % ROUNDS_BETWEEN_STAMPS == 0) {
                 keys.storeStamps();
             }
@@ -73,10 +73,10 @@ public final class OutletRightsWatch implements AutoCloseable {
         }
     }
 
-    /** On the thread that calls. */
-    public void judge(OutletLoop room) {
-        for (OutletClient client : room.clients()) {
-            client.setRights(rights.principal(client.user()).orElse(null));
+    /** Sets what these may do now, on the thread that calls. */
+    public void judge(List<? extends RightsHolder> attached) {
+        for (RightsHolder holder : attached) {
+            holder.setRights(rights.principal(holder.user()).orElse(null));
         }
     }
 

@@ -76,6 +76,11 @@ public final class UserKey implements FrameSigner, OutletCredential {
         return this;
     }
 
+    @Override
+    public boolean onlyLooks() {
+        return false;
+    }
+
     /** All of them: whoever signs is the user. */
     @Override
     public Principal rights(Principal of) {
