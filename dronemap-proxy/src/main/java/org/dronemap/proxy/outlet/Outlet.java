@@ -21,8 +21,8 @@ import org.dronemap.proxy.outlet.rights.OutletCredential;
 import org.dronemap.proxy.outlet.rights.OutletKeys;
 import org.dronemap.proxy.outlet.rights.OutletRightsWatch;
 import org.dronemap.proxy.outlet.rights.PortRange;
+import org.dronemap.proxy.outlet.uplink.VehicleFrameCache;
 import org.dronemap.proxy.session.FrameTap;
-import org.jspecify.annotations.Nullable;
 
 /**
  * The MAVLink service to which users' own ground stations (QGroundControl and others) attach, on a thread of its own.
@@ -37,7 +37,7 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
     private final OutletRightsWatch rights;
     private final EndpointRegistry links;
     private final PersonalPorts ports;
-    private final Map<DroneId, OutletFrameTap> vehicles = new ConcurrentHashMap<>();
+    private final Map<DroneId, VehicleFrameCache> vehicles = new ConcurrentHashMap<>();
 
     /**
      * Opens nothing before {@link #start}; clients come in over listeners that prove nothing of their own but
@@ -181,18 +181,12 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
         room.receivedFromVehicle(drone, frame);
     }
 
-    void vehicleConnected(DroneId drone, OutletFrameTap tap) {
-        vehicles.put(drone, tap);
+    void vehicleConnected(DroneId drone, VehicleFrameCache vehicle) {
+        vehicles.put(drone, vehicle);
     }
 
-    void vehicleDisconnected(DroneId drone, OutletFrameTap tap) {
-        vehicles.remove(drone, tap);
-    }
-
-    /** Null when that drone is not heard. */
-    @Nullable
-    OutletFrameTap vehicle(DroneId drone) {
-        return vehicles.get(drone);
+    void vehicleDisconnected(DroneId drone, VehicleFrameCache vehicle) {
+        vehicles.remove(drone, vehicle);
     }
 
     @Override

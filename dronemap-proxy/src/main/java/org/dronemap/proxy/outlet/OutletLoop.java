@@ -23,8 +23,9 @@ import org.dronemap.proxy.outlet.client.OutletStatus;
 import org.dronemap.proxy.outlet.client.OutletSystemIdRegistry;
 import org.dronemap.proxy.outlet.rights.OutletCredential;
 import org.dronemap.proxy.outlet.rights.OutletRightsWatch;
+import org.dronemap.proxy.outlet.uplink.AttachedClients;
 import org.dronemap.proxy.outlet.uplink.ClientMessageDispatcher;
-import org.dronemap.proxy.outlet.uplink.ControlStatusPublisher;
+import org.dronemap.proxy.outlet.uplink.VehicleFrameCache;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -33,7 +34,7 @@ import org.slf4j.LoggerFactory;
  * The single thread that serves all ground stations attached to the outlet, and the list of them. What comes in waits
  * in bounded queues; what happens to clients belongs to the thread.
  */
-final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable {
+final class OutletLoop implements AttachedClients, AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(OutletLoop.class);
     private static final int MOST_CLIENTS = 200;
     private static final int MOST_FROM_CLIENTS = 4_096;
@@ -53,7 +54,7 @@ final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable 
     private static final Duration LONGEST_CLOSE = Duration.ofSeconds(1);
 
     private final OutletCounts counts;
-    private final Map<DroneId, OutletFrameTap> vehicles;
+    private final Map<DroneId, VehicleFrameCache> vehicles;
     private final OutletRightsWatch rights;
     private final Queue<ClientFrame> fromClients = new ArrayBlockingQueue<>(MOST_FROM_CLIENTS);
     private final Queue<VehicleFrame> fromVehicles = new ArrayBlockingQueue<>(MOST_FROM_VEHICLES);
@@ -83,7 +84,7 @@ final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable 
     OutletLoop(
             OutletDependencies policy,
             OutletCounts counts,
-            Map<DroneId, OutletFrameTap> vehicles,
+            Map<DroneId, VehicleFrameCache> vehicles,
             OutletRightsWatch rights) {
         this.rights = rights;
         this.time = policy.time();
@@ -97,7 +98,7 @@ final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable 
                                 () -> policy.store().saveNumber(number),
                                 () -> {}));
         loop = time.loop("outlet", this::turn);
-        uplink = new ClientMessageDispatcher(policy, counts, vehicles, this);
+        uplink = new ClientMessageDispatcher(policy.cloud(), policy.control(), counts, vehicles, this, time);
     }
 
     /** On the clients' thread, soon. Any thread. */

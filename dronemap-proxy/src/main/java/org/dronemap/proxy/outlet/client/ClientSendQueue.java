@@ -12,7 +12,7 @@ import org.dronemap.mavlink.Frame;
  * The bounded send queue of one ground station at the outlet: replies in order, of telemetry only the newest. Bounded;
  * what is replaced or falls out is counted. Owned by the outlet's thread.
  */
-public final class ClientSendQueue {
+final class ClientSendQueue {
     private static final int MOST_EVENTS = 512;
     private static final int MOST_TELEMETRY = 8_192;
 
@@ -23,7 +23,7 @@ public final class ClientSendQueue {
     /** Of one component of one drone there is one newest. */
     private record Kind(DroneId drone, int component, int message) {}
 
-    public boolean isEmpty() {
+    boolean isEmpty() {
         return events.isEmpty() && telemetry.isEmpty();
     }
 
@@ -36,7 +36,7 @@ public final class ClientSendQueue {
     }
 
     /** Answers and events find room while they are few. */
-    public boolean hasRoom() {
+    boolean hasRoom() {
         return events.size() < MOST_EVENTS / 2;
     }
 

@@ -102,8 +102,14 @@ public final class OutletClient implements RightsHolder {
         return systemId == OWN_SYSTEM ? OTHER_SYSTEM : OWN_SYSTEM;
     }
 
-    public ClientSendQueue outbox() {
-        return outbox;
+    /** Whether nothing waits for it. */
+    public boolean isUpToDate() {
+        return outbox.isEmpty();
+    }
+
+    /** Whether answers and events find room while its link takes nothing. */
+    public boolean hasRoom() {
+        return outbox.hasRoom();
     }
 
     /** What its user may do from now on; null: nothing any more. Any thread. */

@@ -4,6 +4,7 @@ import java.util.Map;
 import java.util.Set;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.time.Time;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.MessageTable;
 import org.dronemap.mavlink.message.CommandAck;
@@ -35,8 +36,6 @@ import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
 import org.dronemap.mavlink.message.SystemTime;
 import org.dronemap.mavlink.message.Timesync;
-import org.dronemap.proxy.outlet.OutletDependencies;
-import org.dronemap.proxy.outlet.OutletFrameTap;
 import org.dronemap.proxy.outlet.client.ClientMessage;
 import org.dronemap.proxy.outlet.client.OutletClient;
 import org.dronemap.proxy.outlet.client.OutletCounts;
@@ -74,8 +73,7 @@ public final class ClientMessageDispatcher implements AutoCloseable {
     private static final long BETWEEN_SENTENCES_NANOS = 10_000_000_000L;
 
     private final OutletCounts counts;
-    private final Map<DroneId, OutletFrameTap> vehicles;
-    private final CloudManager cloud;
+    private final Map<DroneId, VehicleFrameCache> vehicles;
     private final ClientCommandExecutor orders;
     private final ClientControlHandler controls;
     private final ControlStatusPublisher news;
@@ -86,16 +84,17 @@ public final class ClientMessageDispatcher implements AutoCloseable {
     private final ClientSteeringHandler steering;
 
     public ClientMessageDispatcher(
-            OutletDependencies policy,
+            CloudManager cloud,
+            OutletLeaseAuthority control,
             OutletCounts counts,
-            Map<DroneId, OutletFrameTap> vehicles,
-            ControlStatusPublisher.Clients room) {
-        this.cloud = policy.cloud();
+            Map<DroneId, VehicleFrameCache> vehicles,
+            AttachedClients attached,
+            Time time) {
         this.counts = counts;
         this.vehicles = vehicles;
-        orders = new ClientCommandExecutor(cloud, policy.control(), room::later, policy.time());
+        orders = new ClientCommandExecutor(cloud, control, attached::later, time);
         controls = new ClientControlHandler(cloud, orders);
-        news = new ControlStatusPublisher(cloud, vehicles, room);
+        news = new ControlStatusPublisher(cloud, vehicles, attached);
         commands = new ClientCommandHandler(cloud, orders, controls);
         parameters = new ClientParameterHandler(cloud, orders);
         missions = new ClientMissionReadHandler(cloud, orders);
@@ -117,7 +116,7 @@ public final class ClientMessageDispatcher implements AutoCloseable {
         }
         int target = target(frame);
         DroneId drone = target == 0 ? null : client.drone(target);
-        OutletFrameTap vehicle = drone == null ? null : vehicles.get(drone);
+        VehicleFrameCache vehicle = drone == null ? null : vehicles.get(drone);
         if (drone == null || vehicle == null || !serve(new ClientRequest(client, drone, vehicle, frame), now)) {
             counts.notPassed();
         }

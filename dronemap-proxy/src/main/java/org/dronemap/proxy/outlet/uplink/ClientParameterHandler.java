@@ -125,7 +125,7 @@ final class ClientParameterHandler {
             for (int count = 0;
                     count < AT_ONCE
                             && listing.next < listing.parameters.size()
-                            && listing.asked.client().outbox().hasRoom();
+                            && listing.asked.client().hasRoom();
                     count++) {
                 sendAt(listing.asked, listing.parameters, listing.next++);
             }

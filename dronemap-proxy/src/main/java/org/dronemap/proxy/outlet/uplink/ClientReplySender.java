@@ -3,7 +3,6 @@ package org.dronemap.proxy.outlet.uplink;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.Statustext;
-import org.dronemap.proxy.outlet.OutletFrameTap;
 import org.dronemap.proxy.outlet.client.ClientMessage;
 import org.dronemap.proxy.outlet.client.OutletClient;
 
@@ -11,7 +10,7 @@ import org.dronemap.proxy.outlet.client.OutletClient;
  * Sends messages and texts to a ground station at the outlet in the name of a drone's autopilot. Owned by the outlet's
  * thread.
  */
-record ClientReplySender(OutletClient client, DroneId drone, OutletFrameTap vehicle) {
+record ClientReplySender(OutletClient client, DroneId drone, VehicleFrameCache vehicle) {
     private static final int WARNING = 4;
     private static final int CHUNK = 50;
     private static final int MOST_CHUNKS = 5;

@@ -3,14 +3,13 @@ package org.dronemap.proxy.outlet.uplink;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.Message;
-import org.dronemap.proxy.outlet.OutletFrameTap;
 import org.dronemap.proxy.outlet.client.OutletClient;
 
 /**
  * A message of a ground station at the outlet that is addressed to a connected drone which it may see. Owned by the
  * outlet's thread.
  */
-record ClientRequest(OutletClient client, DroneId drone, OutletFrameTap vehicle, Frame frame) {
+record ClientRequest(OutletClient client, DroneId drone, VehicleFrameCache vehicle, Frame frame) {
     /** In which it is answered. */
     private ClientReplySender replySender() {
         return new ClientReplySender(client, drone, vehicle);

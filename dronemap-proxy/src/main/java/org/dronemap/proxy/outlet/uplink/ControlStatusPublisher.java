@@ -1,6 +1,5 @@
 package org.dronemap.proxy.outlet.uplink;
 
-import java.util.List;
 import java.util.Map;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.listener.CloudListener;
@@ -11,7 +10,6 @@ import org.dronemap.core.lease.Lease;
 import org.dronemap.core.lease.LeaseHolder;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.ControlStatus;
-import org.dronemap.proxy.outlet.OutletFrameTap;
 import org.dronemap.proxy.outlet.client.OutletClient;
 import org.jspecify.annotations.Nullable;
 
@@ -19,25 +17,17 @@ import org.jspecify.annotations.Nullable;
  * Tells ground stations at the outlet who controls the drones they see: CONTROL_STATUS every second and on change.
  * Owned by the outlet's thread, but for {@link #controlChanged}.
  */
-public final class ControlStatusPublisher implements CloudListener, AutoCloseable {
+final class ControlStatusPublisher implements CloudListener, AutoCloseable {
     private static final int ANSWER_SECONDS = 60;
 
     private final CloudManager cloud;
-    private final Map<DroneId, OutletFrameTap> vehicles;
-    private final Clients room;
+    private final Map<DroneId, VehicleFrameCache> vehicles;
+    private final AttachedClients attached;
 
-    /** The attached clients, and a way to run tasks on their thread. Any thread. */
-    public interface Clients {
-        List<OutletClient> clients();
-
-        /** On the outlet's thread, soon. */
-        void later(Runnable task);
-    }
-
-    ControlStatusPublisher(CloudManager cloud, Map<DroneId, OutletFrameTap> vehicles, Clients room) {
+    ControlStatusPublisher(CloudManager cloud, Map<DroneId, VehicleFrameCache> vehicles, AttachedClients attached) {
         this.cloud = cloud;
         this.vehicles = vehicles;
-        this.room = room;
+        this.attached = attached;
         cloud.addListener(this);
     }
 
@@ -45,8 +35,8 @@ public final class ControlStatusPublisher implements CloudListener, AutoCloseabl
     void publishAll() {
         vehicles.forEach((drone, vehicle) -> {
             ControlState control = cloud.controls().control(drone);
-            for (OutletClient client : room.clients()) {
-                if (client.outbox().isEmpty() && client.shows(drone)) {
+            for (OutletClient client : attached.clients()) {
+                if (client.isUpToDate() && client.shows(drone)) {
                     new ClientReplySender(client, drone, vehicle).send(status(client, control));
                 }
             }
@@ -56,15 +46,15 @@ public final class ControlStatusPublisher implements CloudListener, AutoCloseabl
     /** Any thread. */
     @Override
     public void controlChanged(DroneId drone, ControlState now, ControlChange change) {
-        room.later(() -> publish(drone, now, change));
+        attached.later(() -> publish(drone, now, change));
     }
 
     private void publish(DroneId drone, ControlState now, ControlChange change) {
-        OutletFrameTap vehicle = vehicles.get(drone);
+        VehicleFrameCache vehicle = vehicles.get(drone);
         if (vehicle == null) {
             return;
         }
-        for (OutletClient client : room.clients()) {
+        for (OutletClient client : attached.clients()) {
             if (client.shows(drone)) {
                 ClientReplySender voice = new ClientReplySender(client, drone, vehicle);
                 voice.send(status(client, now));
