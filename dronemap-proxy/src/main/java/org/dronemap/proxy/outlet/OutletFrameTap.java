@@ -12,13 +12,13 @@ import org.jspecify.annotations.Nullable;
 
 /** Passes the frames of one vehicle on to the outlet, and keeps the newest of them. Any thread. */
 final class OutletFrameTap implements FrameTap {
-    private final Outlet outlet;
+    private final OutletLoop loop;
     private final VehicleFrameCache cache;
     private volatile @Nullable DroneId drone;
 
     /** {@code component} is the autopilot's. */
-    OutletFrameTap(Outlet outlet, int component) {
-        this.outlet = outlet;
+    OutletFrameTap(OutletLoop loop, int component) {
+        this.loop = loop;
         cache = new VehicleFrameCache(component);
     }
 
@@ -35,7 +35,7 @@ final class OutletFrameTap implements FrameTap {
         cache.put(frame);
         DroneId bound = drone;
         if (bound != null) {
-            outlet.receivedFromVehicle(bound, frame);
+            loop.receivedFromVehicle(bound, frame);
         }
     }
 
@@ -52,14 +52,14 @@ final class OutletFrameTap implements FrameTap {
     @Override
     public void bound(DroneId bound) {
         drone = bound;
-        outlet.vehicleConnected(bound, cache);
+        loop.vehicleConnected(bound, cache);
     }
 
     @Override
     public void ended() {
         DroneId bound = drone;
         if (bound != null) {
-            outlet.vehicleDisconnected(bound, cache);
+            loop.vehicleDisconnected(bound, cache);
         }
     }
 }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Queue;
 import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
@@ -54,7 +55,7 @@ final class OutletLoop implements AttachedClients, AutoCloseable {
     private static final Duration LONGEST_CLOSE = Duration.ofSeconds(1);
 
     private final OutletCounts counts;
-    private final Map<DroneId, VehicleFrameCache> vehicles;
+    private final Map<DroneId, VehicleFrameCache> vehicles = new ConcurrentHashMap<>();
     private final OutletRightsWatch rights;
     private final Queue<ClientFrame> fromClients = new ArrayBlockingQueue<>(MOST_FROM_CLIENTS);
     private final Queue<VehicleFrame> fromVehicles = new ArrayBlockingQueue<>(MOST_FROM_VEHICLES);
@@ -80,16 +81,10 @@ final class OutletLoop implements AttachedClients, AutoCloseable {
 
     private record VehicleFrame(DroneId drone, Frame frame) {}
 
-    /** {@code vehicles}: those that are heard now. */
-    OutletLoop(
-            OutletDependencies policy,
-            OutletCounts counts,
-            Map<DroneId, VehicleFrameCache> vehicles,
-            OutletRightsWatch rights) {
+    OutletLoop(OutletDependencies policy, OutletCounts counts, OutletRightsWatch rights) {
         this.rights = rights;
         this.time = policy.time();
         this.counts = counts;
-        this.vehicles = vehicles;
         numbers = new OutletSystemIdRegistry(
                 policy.store().numbers(),
                 number -> policy.journal()
@@ -142,8 +137,19 @@ final class OutletLoop implements AttachedClients, AutoCloseable {
                 .forEach(client -> end(client.peer(), "it is no longer let in")));
     }
 
+    /** From now on clients are answered from what is kept of this vehicle. Any thread. */
+    void vehicleConnected(DroneId drone, VehicleFrameCache vehicle) {
+        vehicles.put(drone, vehicle);
+    }
+
+    /** Nothing happens when another one of the same drone came in its place. Any thread. */
+    void vehicleDisconnected(DroneId drone, VehicleFrameCache vehicle) {
+        vehicles.remove(drone, vehicle);
+    }
+
     /** Any thread. */
     void forget(DroneId drone) {
+        vehicles.remove(drone);
         tasks.add(() -> numbers.forget(drone));
     }
 

@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  * endpoint's thread.
  */
 final class OutletPeerHandler implements PeerHandler {
-    private final Outlet outlet;
+    private final OutletLoop loop;
     private final OutletKeys keys;
     private final OutletCounts counts;
     private final Peer peer;
@@ -27,8 +27,8 @@ final class OutletPeerHandler implements PeerHandler {
     private long taken;
     private long countedBroken;
 
-    OutletPeerHandler(Outlet outlet, OutletKeys keys, OutletCounts counts, Peer peer, PeerCounters counters) {
-        this.outlet = outlet;
+    OutletPeerHandler(OutletLoop loop, OutletKeys keys, OutletCounts counts, Peer peer, PeerCounters counters) {
+        this.loop = loop;
         this.keys = keys;
         this.counts = counts;
         this.peer = peer;
@@ -68,13 +68,13 @@ final class OutletPeerHandler implements PeerHandler {
         }
         key = owner;
         taken++;
-        if (!outlet.receivedFromClient(peer, owner, frame)) {
+        if (!loop.receivedFromClient(peer, owner, frame)) {
             counters.droppedIn();
         }
     }
 
     @Override
     public void closed() {
-        outlet.gone(peer);
+        loop.gone(peer);
     }
 }

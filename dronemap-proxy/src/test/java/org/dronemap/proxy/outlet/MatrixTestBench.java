@@ -110,7 +110,7 @@ final class MatrixTestBench implements AutoCloseable {
     private MatrixClient personal() {
         PersonalPort.Terms terms = new PersonalPort.Terms(
                 "port-1", "sender", AddressRange.parse("192.0.2.1"), Instant.MIN, Instant.MAX, Long.MAX_VALUE);
-        return new MatrixClient(new PersonalPort(outlet, terms, () -> 0), null, 254);
+        return new MatrixClient(outlet.personalPort(terms), null, 254);
     }
 
     private MatrixClient attached(MatrixClient attached) {

@@ -168,11 +168,14 @@ class PersonalPortTest {
         assertThatIllegalStateException()
                 .isThrownBy(() -> outlet.openPort("ann", HERE, HOUR))
                 .withMessageContaining("close one first");
-        PersonalPorts none = new PersonalPorts(
-                outlet, List.of(EndpointUrl.parse("udpserver://127.0.0.1:0")), PortRange.NONE, policyOfNobody());
-        assertThatIllegalStateException()
-                .isThrownBy(() -> none.open("bob", HERE, HOUR))
-                .withMessage("This server opens no personal ports.");
+        try (Outlet none = new Outlet(
+                List.of(EndpointUrl.parse("udpserver://127.0.0.1:0")),
+                policyOfNobody(),
+                EndpointSecurity.of(DtlsKeys.none()))) {
+            assertThatIllegalStateException()
+                    .isThrownBy(() -> none.openPort("bob", HERE, HOUR))
+                    .withMessage("This server opens no personal ports.");
+        }
     }
 
     private OutletDependencies policyOfNobody() {
