@@ -155,7 +155,7 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
         return new OutletFrameTap(loop, componentId);
     }
 
-    /** Made for one of a user's own ports, which is not open yet. */
+    /** Serves a port of a user's own on these terms, once an endpoint is opened for it. */
     PersonalPort personalPort(PersonalPort.Terms terms) {
         return new PersonalPort(loop, counts, terms, time::nanos);
     }

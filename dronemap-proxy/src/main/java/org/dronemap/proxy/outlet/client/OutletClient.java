@@ -78,7 +78,7 @@ public final class OutletClient implements RightsHolder {
         return pass;
     }
 
-    /** It came by something by which nothing is ever changed. */
+    /** Whether it came in by something by which nothing is ever changed. */
     public boolean onlyLooks() {
         return pass.onlyLooks();
     }
