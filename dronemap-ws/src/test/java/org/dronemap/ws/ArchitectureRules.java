@@ -18,6 +18,8 @@ import com.tngtech.archunit.lang.ArchCondition;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.lang.ConditionEvents;
 import com.tngtech.archunit.lang.SimpleConditionEvent;
+import com.tngtech.archunit.library.dependencies.SliceAssignment;
+import com.tngtech.archunit.library.dependencies.SliceIdentifier;
 import java.lang.reflect.RecordComponent;
 import java.util.List;
 import org.dronemap.core.cloud.VehicleChannel;
@@ -137,6 +139,12 @@ final class ArchitectureRules {
             .definedBy("..proxy.endpoint")
             .layer("outlet")
             .definedBy("..proxy.outlet")
+            .layer("uplink")
+            .definedBy("..proxy.outlet.uplink")
+            .layer("client")
+            .definedBy("..proxy.outlet.client")
+            .layer("rights")
+            .definedBy("..proxy.outlet.rights")
             .layer("wire")
             .definedBy("..proxy.roslink.wire")
             .layer("roslink")
@@ -147,6 +155,12 @@ final class ArchitectureRules {
             .mayOnlyBeAccessedByLayers("roslink")
             .whereLayer("outlet")
             .mayNotBeAccessedByAnyLayer()
+            .whereLayer("uplink")
+            .mayOnlyBeAccessedByLayers("outlet")
+            .whereLayer("client")
+            .mayOnlyBeAccessedByLayers("outlet", "uplink")
+            .whereLayer("rights")
+            .mayOnlyBeAccessedByLayers("outlet", "uplink", "client")
             .whereLayer("door")
             .mayNotBeAccessedByAnyLayer()
             // The door of robots lies in their own room.
@@ -155,16 +169,33 @@ final class ArchitectureRules {
             .whereLayer("session")
             .mayOnlyBeAccessedByLayers("door", "record", "outlet", "roslink")
             .whereLayer("translate")
-            .mayOnlyBeAccessedByLayers("session", "outlet")
+            .mayOnlyBeAccessedByLayers("session", "uplink")
             .whereLayer("procedure")
-            .mayOnlyBeAccessedByLayers("session", "translate", "outlet")
+            .mayOnlyBeAccessedByLayers("session", "translate", "uplink")
             .whereLayer("signing")
             .mayOnlyBeAccessedByLayers("door", "session")
             .whereLayer("endpoint")
-            .mayOnlyBeAccessedByLayers("door", "session", "outlet", "roslink");
+            .mayOnlyBeAccessedByLayers("door", "session", "outlet", "client", "roslink");
 
     static final ArchRule NO_CYCLES_IN_PROXY =
             slices().matching("org.dronemap.proxy.(**)").should().beFreeOfCycles();
+
+    static final ArchRule NO_CYCLES_AMONG_TYPES_OF_THE_OUTLET = slices().assignedFrom(new SliceAssignment() {
+                @Override
+                public SliceIdentifier getIdentifierOf(JavaClass type) {
+                    boolean ofTheOutlet = (type.getPackageName() + ".").startsWith("org.dronemap.proxy.outlet.");
+                    return ofTheOutlet
+                            ? SliceIdentifier.of(type.getName().split("\\$", 2)[0])
+                            : SliceIdentifier.ignore();
+                }
+
+                @Override
+                public String getDescription() {
+                    return "the outlet's types, each with those within it";
+                }
+            })
+            .should()
+            .beFreeOfCycles();
 
     static final ArchRule HANDLERS_SAY_WHO_MAY_CALL_THEM = methods()
             .that()

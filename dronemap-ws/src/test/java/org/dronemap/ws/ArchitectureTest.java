@@ -72,6 +72,7 @@ class ArchitectureTest {
                 ArchitectureRules.FLOORS_OF_CORE,
                 ArchitectureRules.FLOORS_OF_PROXY,
                 ArchitectureRules.NO_CYCLES_IN_PROXY,
+                ArchitectureRules.NO_CYCLES_AMONG_TYPES_OF_THE_OUTLET,
                 RoomRules.ROOMS_SEE_OTHERS_ALONG_ARROWS_ALONE,
                 ArchitectureRules.HANDLERS_SAY_WHO_MAY_CALL_THEM,
                 ArchitectureRules.EACH_CODE_OF_A_PROBLEM_IS_TOLD,
@@ -197,7 +198,10 @@ class ArchitectureTest {
                         "org.dronemap.cognitive.allocate",
                         "org.dronemap.proxy.session",
                         "org.dronemap.proxy.roslink",
-                        "org.dronemap.proxy.outlet");
+                        "org.dronemap.proxy.outlet",
+                        "org.dronemap.proxy.outlet.uplink",
+                        "org.dronemap.proxy.outlet.client",
+                        "org.dronemap.proxy.outlet.rights");
         assertThat(TimeSourceRules.OF_WS).allMatch(HOUSE::contain);
     }
 

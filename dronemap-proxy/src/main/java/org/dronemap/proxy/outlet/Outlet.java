@@ -3,19 +3,22 @@ package org.dronemap.proxy.outlet;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
-import java.util.Map;
-import java.util.concurrent.ConcurrentHashMap;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.mavlink.Frame;
+import org.dronemap.core.time.Time;
 import org.dronemap.proxy.endpoint.EndpointRegistry;
 import org.dronemap.proxy.endpoint.EndpointSecurity;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerCounters;
 import org.dronemap.proxy.endpoint.PeerHandler;
+import org.dronemap.proxy.outlet.client.OutletCounts;
+import org.dronemap.proxy.outlet.client.OutletStatus;
+import org.dronemap.proxy.outlet.rights.AddressRange;
+import org.dronemap.proxy.outlet.rights.OutletKeys;
+import org.dronemap.proxy.outlet.rights.OutletRightsWatch;
+import org.dronemap.proxy.outlet.rights.PortRange;
 import org.dronemap.proxy.session.FrameTap;
-import org.jspecify.annotations.Nullable;
 
 /**
  * The MAVLink service to which users' own ground stations (QGroundControl and others) attach, on a thread of its own.
@@ -24,13 +27,13 @@ import org.jspecify.annotations.Nullable;
  */
 public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, AutoCloseable {
     private final List<EndpointUrl> urls;
+    private final Time time;
     private final OutletKeys keys;
     private final OutletCounts counts = new OutletCounts();
-    private final OutletLoop room;
+    private final OutletLoop loop;
     private final OutletRightsWatch rights;
     private final EndpointRegistry links;
     private final PersonalPorts ports;
-    private final Map<DroneId, OutletFrameTap> vehicles = new ConcurrentHashMap<>();
 
     /**
      * Opens nothing before {@link #start}; clients come in over listeners that prove nothing of their own but
@@ -43,19 +46,18 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
     /** {@code personal}: where users may open ports of their own. */
     public Outlet(List<EndpointUrl> urls, PortRange personal, OutletDependencies policy, EndpointSecurity doors) {
         this.urls = List.copyOf(urls);
-        keys = new OutletKeys(policy.store(), policy.time());
-        rights = new OutletRightsWatch(policy.rights(), keys, policy.time());
-        room = new OutletLoop(policy, counts, vehicles, rights);
+        time = policy.time();
+        keys = new OutletKeys(policy.store(), time);
+        rights = new OutletRightsWatch(policy.rights(), keys, time);
+        loop = new OutletLoop(policy, counts, rights);
         links = new EndpointRegistry(
-                this,
-                new EndpointSecurity(keys::dtlsSecret, doors.tls(), doors.limits(), doors.watch()),
-                policy.time());
-        ports = new PersonalPorts(this, urls, personal, policy);
+                this, new EndpointSecurity(keys::dtlsSecret, doors.tls(), doors.limits(), doors.watch()), time);
+        ports = new PersonalPorts(this::personalPort, urls, personal, time);
     }
 
     /** Looks at once what the users of all clients may do now; may wait for the store. */
     public void judgeAnew() {
-        rights.judge(room);
+        rights.judge(loop.clients());
     }
 
     /**
@@ -65,8 +67,8 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
      * @throws IOException with a sentence that says which one and why
      */
     public void start(boolean patient) throws IOException {
-        room.start();
-        rights.start(room, ports::sweep);
+        loop.start();
+        rights.start(loop::clients, ports::sweep);
         for (int number = 0; number < urls.size(); number++) {
             String id = "outlet-" + (number + 1);
             if (patient) {
@@ -90,19 +92,19 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
     /** From now on the user's programs sign with this; false when somebody else uses it already. Waits for the store. */
     public boolean putKey(String user, LinkKey key) {
         boolean done = keys.put(user, key);
-        room.keysChanged();
+        loop.keysChanged();
         return done;
     }
 
     /** The user's programs stay outside from now on; false when they did already. Waits for the store. */
     public boolean removeKey(String user) {
         boolean removed = keys.remove(user);
-        room.keysChanged();
+        loop.keysChanged();
         return removed;
     }
 
     public OutletStatus status() {
-        return room.status(ports.all());
+        return loop.status(ports.all());
     }
 
     /**
@@ -118,74 +120,44 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
     /** False when there is no such port. */
     public boolean closePort(String id) {
         boolean closed = ports.close(id);
-        room.keysChanged();
+        loop.keysChanged();
         return closed;
     }
 
     /** Closes all ports of a user's own. */
     public void closePortsOf(String user) {
         ports.closeOf(user);
-        room.keysChanged();
+        loop.keysChanged();
     }
 
     /** Ends a client, which may come back in a minute; false when there is no such client. */
     public boolean disconnect(String id) {
-        return room.disconnect(id);
+        return loop.disconnect(id);
     }
 
     /** Whether a program of that user is attached. */
     public boolean isAttached(String user) {
-        return room.clients().stream().anyMatch(client -> client.user().equals(user));
+        return loop.clients().stream().anyMatch(client -> client.user().equals(user));
     }
 
     /** A drone is removed: its numbers are free. */
     public void forget(DroneId drone) {
-        vehicles.remove(drone);
-        room.forget(drone);
+        loop.forget(drone);
     }
 
     @Override
     public PeerHandler opened(Peer peer, PeerCounters counters) {
-        return new OutletPeerHandler(this, keys, counts, peer, counters);
+        return new OutletPeerHandler(loop, keys, counts, peer, counters);
     }
 
     @Override
     public FrameTap open(int componentId) {
-        return new OutletFrameTap(this, componentId);
+        return new OutletFrameTap(loop, componentId);
     }
 
-    /** A client sent something by its right; false when there was no room. */
-    boolean receivedFromClient(Peer peer, OutletCredential pass, Frame frame) {
-        return room.receivedFromClient(peer, pass, frame);
-    }
-
-    /** Somebody spoke to a personal port of somebody else. */
-    void refusedElsewhere() {
-        counts.elsewhere();
-    }
-
-    /** A client's address has fallen silent, or its connection has ended. */
-    void gone(Peer peer) {
-        room.gone(peer);
-    }
-
-    /** A vehicle said something. */
-    void receivedFromVehicle(DroneId drone, Frame frame) {
-        room.receivedFromVehicle(drone, frame);
-    }
-
-    void vehicleConnected(DroneId drone, OutletFrameTap tap) {
-        vehicles.put(drone, tap);
-    }
-
-    void vehicleDisconnected(DroneId drone, OutletFrameTap tap) {
-        vehicles.remove(drone, tap);
-    }
-
-    /** Null when that drone is not heard. */
-    @Nullable
-    OutletFrameTap vehicle(DroneId drone) {
-        return vehicles.get(drone);
+    /** Serves a port of a user's own on these terms, once an endpoint is opened for it. */
+    PersonalPort personalPort(PersonalPort.Terms terms) {
+        return new PersonalPort(loop, counts, terms, time::nanos);
     }
 
     @Override
@@ -193,6 +165,6 @@ public final class Outlet implements PeerHandler.Factory, FrameTap.Factory, Auto
         links.close();
         ports.close();
         rights.close();
-        room.close();
+        loop.close();
     }
 }

@@ -4,6 +4,8 @@ import org.dronemap.core.access.OutletStore;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.lane.StoreWriter;
 import org.dronemap.core.time.Time;
+import org.dronemap.proxy.outlet.rights.OutletRights;
+import org.dronemap.proxy.outlet.uplink.OutletLeaseAuthority;
 
 /**
  * The services that the outlet depends on: cloud, store, journal, rights, lease control and time.

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Queue;
 import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
@@ -15,6 +16,17 @@ import org.dronemap.core.time.Loop;
 import org.dronemap.core.time.Time;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.proxy.endpoint.Peer;
+import org.dronemap.proxy.outlet.client.ClientMessage;
+import org.dronemap.proxy.outlet.client.ClientMessageFilter;
+import org.dronemap.proxy.outlet.client.OutletClient;
+import org.dronemap.proxy.outlet.client.OutletCounts;
+import org.dronemap.proxy.outlet.client.OutletStatus;
+import org.dronemap.proxy.outlet.client.OutletSystemIdRegistry;
+import org.dronemap.proxy.outlet.rights.OutletCredential;
+import org.dronemap.proxy.outlet.rights.OutletRightsWatch;
+import org.dronemap.proxy.outlet.uplink.AttachedClients;
+import org.dronemap.proxy.outlet.uplink.ClientMessageDispatcher;
+import org.dronemap.proxy.outlet.uplink.VehicleFrameCache;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -23,7 +35,7 @@ import org.slf4j.LoggerFactory;
  * The single thread that serves all ground stations attached to the outlet, and the list of them. What comes in waits
  * in bounded queues; what happens to clients belongs to the thread.
  */
-final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable {
+final class OutletLoop implements AttachedClients, AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(OutletLoop.class);
     private static final int MOST_CLIENTS = 200;
     private static final int MOST_FROM_CLIENTS = 4_096;
@@ -43,7 +55,7 @@ final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable 
     private static final Duration LONGEST_CLOSE = Duration.ofSeconds(1);
 
     private final OutletCounts counts;
-    private final Map<DroneId, OutletFrameTap> vehicles;
+    private final Map<DroneId, VehicleFrameCache> vehicles = new ConcurrentHashMap<>();
     private final OutletRightsWatch rights;
     private final Queue<ClientFrame> fromClients = new ArrayBlockingQueue<>(MOST_FROM_CLIENTS);
     private final Queue<VehicleFrame> fromVehicles = new ArrayBlockingQueue<>(MOST_FROM_VEHICLES);
@@ -69,16 +81,10 @@ final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable 
 
     private record VehicleFrame(DroneId drone, Frame frame) {}
 
-    /** {@code vehicles}: those that are heard now. */
-    OutletLoop(
-            OutletDependencies policy,
-            OutletCounts counts,
-            Map<DroneId, OutletFrameTap> vehicles,
-            OutletRightsWatch rights) {
+    OutletLoop(OutletDependencies policy, OutletCounts counts, OutletRightsWatch rights) {
         this.rights = rights;
         this.time = policy.time();
         this.counts = counts;
-        this.vehicles = vehicles;
         numbers = new OutletSystemIdRegistry(
                 policy.store().numbers(),
                 number -> policy.journal()
@@ -87,7 +93,7 @@ final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable 
                                 () -> policy.store().saveNumber(number),
                                 () -> {}));
         loop = time.loop("outlet", this::turn);
-        uplink = new ClientMessageDispatcher(policy, counts, vehicles, this);
+        uplink = new ClientMessageDispatcher(policy.cloud(), policy.control(), counts, vehicles, this, time);
     }
 
     /** On the clients' thread, soon. Any thread. */
@@ -131,8 +137,19 @@ final class OutletLoop implements ControlStatusPublisher.Clients, AutoCloseable 
                 .forEach(client -> end(client.peer(), "it is no longer let in")));
     }
 
+    /** From now on clients are answered from what is kept of this vehicle. Any thread. */
+    void vehicleConnected(DroneId drone, VehicleFrameCache vehicle) {
+        vehicles.put(drone, vehicle);
+    }
+
+    /** Nothing happens when another one of the same drone came in its place. Any thread. */
+    void vehicleDisconnected(DroneId drone, VehicleFrameCache vehicle) {
+        vehicles.remove(drone, vehicle);
+    }
+
     /** Any thread. */
     void forget(DroneId drone) {
+        vehicles.remove(drone);
         tasks.add(() -> numbers.forget(drone));
     }
 

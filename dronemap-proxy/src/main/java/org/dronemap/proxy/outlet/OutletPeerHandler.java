@@ -7,6 +7,9 @@ import org.dronemap.mavlink.signing.SignatureVerdict;
 import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerCounters;
 import org.dronemap.proxy.endpoint.PeerHandler;
+import org.dronemap.proxy.outlet.client.OutletCounts;
+import org.dronemap.proxy.outlet.rights.OutletKeys;
+import org.dronemap.proxy.outlet.rights.UserKey;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -14,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  * endpoint's thread.
  */
 final class OutletPeerHandler implements PeerHandler {
-    private final Outlet outlet;
+    private final OutletLoop loop;
     private final OutletKeys keys;
     private final OutletCounts counts;
     private final Peer peer;
@@ -24,8 +27,8 @@ final class OutletPeerHandler implements PeerHandler {
     private long taken;
     private long countedBroken;
 
-    OutletPeerHandler(Outlet outlet, OutletKeys keys, OutletCounts counts, Peer peer, PeerCounters counters) {
-        this.outlet = outlet;
+    OutletPeerHandler(OutletLoop loop, OutletKeys keys, OutletCounts counts, Peer peer, PeerCounters counters) {
+        this.loop = loop;
         this.keys = keys;
         this.counts = counts;
         this.peer = peer;
@@ -65,13 +68,13 @@ final class OutletPeerHandler implements PeerHandler {
         }
         key = owner;
         taken++;
-        if (!outlet.receivedFromClient(peer, owner, frame)) {
+        if (!loop.receivedFromClient(peer, owner, frame)) {
             counters.droppedIn();
         }
     }
 
     @Override
     public void closed() {
-        outlet.gone(peer);
+        loop.gone(peer);
     }
 }

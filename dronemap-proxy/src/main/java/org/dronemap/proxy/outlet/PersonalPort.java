@@ -16,6 +16,9 @@ import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerAddress;
 import org.dronemap.proxy.endpoint.PeerCounters;
 import org.dronemap.proxy.endpoint.PeerHandler;
+import org.dronemap.proxy.outlet.client.OutletCounts;
+import org.dronemap.proxy.outlet.rights.AddressRange;
+import org.dronemap.proxy.outlet.rights.OutletCredential;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -23,7 +26,8 @@ import org.jspecify.annotations.Nullable;
  * is proved, so that it lets nobody do more than look. Any thread.
  */
 final class PersonalPort implements OutletCredential, PeerHandler.Factory {
-    private final Outlet outlet;
+    private final OutletLoop loop;
+    private final OutletCounts counts;
     private final Terms terms;
     private final LongSupplier nanoTime;
     private final LongAdder refused = new LongAdder();
@@ -33,8 +37,9 @@ final class PersonalPort implements OutletCredential, PeerHandler.Factory {
     /** {@code untilNanos} is {@code until} by the monotonic clock. */
     record Terms(String id, String user, AddressRange range, Instant since, Instant until, long untilNanos) {}
 
-    PersonalPort(Outlet outlet, Terms terms, LongSupplier nanoTime) {
-        this.outlet = outlet;
+    PersonalPort(OutletLoop loop, OutletCounts counts, Terms terms, LongSupplier nanoTime) {
+        this.loop = loop;
+        this.counts = counts;
         this.terms = terms;
         this.nanoTime = nanoTime;
     }
@@ -72,6 +77,11 @@ final class PersonalPort implements OutletCredential, PeerHandler.Factory {
     @Override
     public @Nullable FrameSigner signer() {
         return null;
+    }
+
+    @Override
+    public boolean onlyLooks() {
+        return true;
     }
 
     /** Looks, whatever else the user may. */
@@ -125,18 +135,18 @@ final class PersonalPort implements OutletCredential, PeerHandler.Factory {
         private void judge(Frame frame) {
             if (!frame.verified() || !admits(peer.address())) {
                 refused.increment();
-                outlet.refusedElsewhere();
+                counts.elsewhere();
                 return;
             }
             taken++;
-            if (!outlet.receivedFromClient(peer, PersonalPort.this, frame)) {
+            if (!loop.receivedFromClient(peer, PersonalPort.this, frame)) {
                 counters.droppedIn();
             }
         }
 
         @Override
         public void closed() {
-            outlet.gone(peer);
+            loop.gone(peer);
         }
     }
 }

@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import org.dronemap.core.time.Time;
 import org.dronemap.proxy.endpoint.DtlsKeys;
@@ -15,6 +16,9 @@ import org.dronemap.proxy.endpoint.Endpoint;
 import org.dronemap.proxy.endpoint.EndpointSecurity;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.endpoint.PeerAddress;
+import org.dronemap.proxy.outlet.client.OutletStatus;
+import org.dronemap.proxy.outlet.rights.AddressRange;
+import org.dronemap.proxy.outlet.rights.PortRange;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -23,7 +27,7 @@ final class PersonalPorts implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(PersonalPorts.class);
     private static final int MOST_OF_A_USER = 3;
 
-    private final Outlet outlet;
+    private final Function<PersonalPort.Terms, PersonalPort> making;
     private final PortRange range;
     private final Optional<String> host;
     private final Time time;
@@ -33,15 +37,19 @@ final class PersonalPorts implements AutoCloseable {
 
     private record Open(PersonalPort port, Endpoint endpoint) {}
 
-    /** Where {@code urls} listen for datagrams, at the ports of {@code range}. */
-    PersonalPorts(Outlet outlet, List<EndpointUrl> urls, PortRange range, OutletDependencies policy) {
-        this.outlet = outlet;
+    /**
+     * Opens them where {@code urls} listen for datagrams, at the ports of {@code range}; {@code making} makes what serves
+     * one on its terms.
+     */
+    PersonalPorts(
+            Function<PersonalPort.Terms, PersonalPort> making, List<EndpointUrl> urls, PortRange range, Time time) {
+        this.making = making;
         this.range = range;
         host = urls.stream()
                 .filter(url -> url.kind() == EndpointUrl.Kind.UDPSERVER)
                 .map(EndpointUrl::host)
                 .findFirst();
-        time = policy.time();
+        this.time = time;
     }
 
     /**
@@ -59,7 +67,7 @@ final class PersonalPorts implements AutoCloseable {
         Instant now = time.clock().instant();
         PersonalPort.Terms terms = new PersonalPort.Terms(
                 "port-" + ++lastId, user, allowed, now, now.plus(length), time.nanos() + length.toNanos());
-        PersonalPort port = new PersonalPort(outlet, terms, time::nanos);
+        PersonalPort port = making.apply(terms);
         Open open = new Open(port, endpoint(port));
         ports.put(terms.id(), open);
         LOG.info("{} opened {} for {} until {}", user, open.endpoint().url(), allowed, terms.until());

@@ -1,7 +1,7 @@
 /**
- * Where ground stations and programs of other makers attach: signed in by their frames, shown what their user may see.
+ * Where ground stations and programs of other makers attach: ways in, one thread for all of them, and taps of vehicles.
  *
- * <p>Enters: what an attached ground station is shown or may ask for.
+ * <p>Enters: a way by which frames of programs or vehicles come in.
  *
  * <p>Never: users' pages.
  */

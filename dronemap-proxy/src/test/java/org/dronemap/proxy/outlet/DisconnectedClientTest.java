@@ -3,6 +3,7 @@ package org.dronemap.proxy.outlet;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import org.dronemap.proxy.outlet.client.OutletStatus;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 

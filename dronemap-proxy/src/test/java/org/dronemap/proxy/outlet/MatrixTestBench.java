@@ -29,6 +29,7 @@ import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.TestCloud;
 import org.dronemap.proxy.endpoint.DtlsKeys;
 import org.dronemap.proxy.endpoint.EndpointSecurity;
+import org.dronemap.proxy.outlet.rights.AddressRange;
 import org.dronemap.proxy.session.FrameTap;
 import org.jspecify.annotations.Nullable;
 
@@ -109,7 +110,7 @@ final class MatrixTestBench implements AutoCloseable {
     private MatrixClient personal() {
         PersonalPort.Terms terms = new PersonalPort.Terms(
                 "port-1", "sender", AddressRange.parse("192.0.2.1"), Instant.MIN, Instant.MAX, Long.MAX_VALUE);
-        return new MatrixClient(new PersonalPort(outlet, terms, () -> 0), null, 254);
+        return new MatrixClient(outlet.personalPort(terms), null, 254);
     }
 
     private MatrixClient attached(MatrixClient attached) {

@@ -13,6 +13,10 @@ import java.util.TreeSet;
 import org.dronemap.core.access.Role;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.MessageTable;
+import org.dronemap.mavlink.message.ManualControl;
+import org.dronemap.mavlink.message.RcChannelsOverride;
+import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
+import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
 import org.dronemap.proxy.outlet.MatrixVehicle.State;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -28,6 +32,10 @@ class OutletMatrixTest {
             "operator with control", new MatrixTestBench.Sender(Optional.of(Role.OPERATOR), true),
             "operator with control at a personal port",
                     new MatrixTestBench.Sender(Optional.of(Role.OPERATOR), true, true));
+
+    /** What steers, and means something else in a mode that goes by sticks. */
+    private static final Set<Integer> STEERING = Set.of(
+            ManualControl.ID, RcChannelsOverride.ID, SetPositionTargetLocalNed.ID, SetPositionTargetGlobalInt.ID);
 
     /** Few enough that what a client may give in a second is not reached. */
     private static final int AT_ONCE = 20;
@@ -79,9 +87,7 @@ class OutletMatrixTest {
     /** That it goes by sticks makes a difference to those alone who steer. */
     private static Map<MatrixTable.Row, String> steering(Map<MatrixTable.Row, String> column) {
         Map<MatrixTable.Row, String> some = new LinkedHashMap<>(column);
-        some.keySet()
-                .removeIf(
-                        row -> !row.kind().equals("message") || !ClientSteeringHandler.STEERING.contains(row.number()));
+        some.keySet().removeIf(row -> !row.kind().equals("message") || !STEERING.contains(row.number()));
         return some;
     }
 

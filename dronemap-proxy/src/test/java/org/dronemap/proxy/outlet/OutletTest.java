@@ -60,6 +60,9 @@ class OutletTest {
     private static final DroneId SECOND = new DroneId("drone-2");
     private static final Heartbeat VEHICLE = new Heartbeat(2, 3, 81, 0, 3, 3);
     private static final Heartbeat GROUND = new Heartbeat(6, 8, 0, 0, 4, 3);
+    /** Of a drone whose own number is the client's. */
+    private static final int SPARE_SYSTEM_ID = 240;
+
     private static final Instant NOW = Instant.parse("2026-03-04T05:06:07Z");
 
     private final TestOutletStore store = new TestOutletStore();
@@ -125,7 +128,7 @@ class OutletTest {
         Vehicle vehicle = new Vehicle(FIRST, 42);
         Client ann = new Client("ann", 42).attach();
         vehicle.says(VEHICLE);
-        assertThat(ann.await(1)).extracting(Frame::systemId).containsExactly(OutletSystemIdRegistry.SPARE);
+        assertThat(ann.await(1)).extracting(Frame::systemId).containsExactly(SPARE_SYSTEM_ID);
     }
 
     @Test

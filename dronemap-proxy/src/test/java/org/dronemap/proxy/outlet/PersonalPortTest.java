@@ -30,6 +30,9 @@ import org.dronemap.proxy.TestCloud;
 import org.dronemap.proxy.endpoint.DtlsKeys;
 import org.dronemap.proxy.endpoint.EndpointSecurity;
 import org.dronemap.proxy.endpoint.EndpointUrl;
+import org.dronemap.proxy.outlet.client.OutletStatus;
+import org.dronemap.proxy.outlet.rights.AddressRange;
+import org.dronemap.proxy.outlet.rights.PortRange;
 import org.dronemap.proxy.session.FrameTap;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -165,11 +168,14 @@ class PersonalPortTest {
         assertThatIllegalStateException()
                 .isThrownBy(() -> outlet.openPort("ann", HERE, HOUR))
                 .withMessageContaining("close one first");
-        PersonalPorts none = new PersonalPorts(
-                outlet, List.of(EndpointUrl.parse("udpserver://127.0.0.1:0")), PortRange.NONE, policyOfNobody());
-        assertThatIllegalStateException()
-                .isThrownBy(() -> none.open("bob", HERE, HOUR))
-                .withMessage("This server opens no personal ports.");
+        try (Outlet none = new Outlet(
+                List.of(EndpointUrl.parse("udpserver://127.0.0.1:0")),
+                policyOfNobody(),
+                EndpointSecurity.of(DtlsKeys.none()))) {
+            assertThatIllegalStateException()
+                    .isThrownBy(() -> none.openPort("bob", HERE, HOUR))
+                    .withMessage("This server opens no personal ports.");
+        }
     }
 
     private OutletDependencies policyOfNobody() {

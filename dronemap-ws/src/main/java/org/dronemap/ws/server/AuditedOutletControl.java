@@ -9,7 +9,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.lease.LeaseAnswer;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseStep;
-import org.dronemap.proxy.outlet.OutletLeaseAuthority;
+import org.dronemap.proxy.outlet.uplink.OutletLeaseAuthority;
 
 /** Carries out and audits requests for control of drones that come from ground stations at the outlet. Any thread. */
 record AuditedOutletControl(CloudManager cloud, AuditRecorder recorder) implements OutletLeaseAuthority {

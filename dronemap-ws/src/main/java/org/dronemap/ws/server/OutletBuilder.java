@@ -18,7 +18,7 @@ import org.dronemap.proxy.endpoint.EndpointSecurity;
 import org.dronemap.proxy.endpoint.EndpointUrl;
 import org.dronemap.proxy.outlet.Outlet;
 import org.dronemap.proxy.outlet.OutletDependencies;
-import org.dronemap.proxy.outlet.OutletRights;
+import org.dronemap.proxy.outlet.rights.OutletRights;
 import org.dronemap.ws.environment.SetupException;
 import org.dronemap.ws.settings.OutletSettings;
 

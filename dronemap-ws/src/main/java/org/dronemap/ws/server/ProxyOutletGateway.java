@@ -4,9 +4,9 @@ import java.time.Duration;
 import java.util.List;
 import org.dronemap.core.access.LinkKey;
 import org.dronemap.proxy.endpoint.EndpointUrl;
-import org.dronemap.proxy.outlet.AddressRange;
 import org.dronemap.proxy.outlet.Outlet;
-import org.dronemap.proxy.outlet.OutletStatus;
+import org.dronemap.proxy.outlet.client.OutletStatus;
+import org.dronemap.proxy.outlet.rights.AddressRange;
 import org.dronemap.ws.outlet.OutletGateway;
 import org.dronemap.ws.outlet.OutletView;
 

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.dronemap.proxy.outlet.PortRange;
+import org.dronemap.proxy.outlet.rights.PortRange;
 import org.dronemap.ws.environment.SetupException;
 
 /**

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import org.dronemap.core.access.LinkKey;
-import org.dronemap.proxy.outlet.AddressRange;
+import org.dronemap.proxy.outlet.rights.AddressRange;
 import org.dronemap.ws.outlet.OutletGateway;
 import org.dronemap.ws.outlet.OutletView;
 

@@ -12,7 +12,7 @@ import org.dronemap.core.recording.RecordingPolicy;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.VirtualRunMachine;
 import org.dronemap.proxy.endpoint.PeerHandler;
-import org.dronemap.proxy.outlet.PortRange;
+import org.dronemap.proxy.outlet.rights.PortRange;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.store.Stores;
 import org.dronemap.ws.budget.BudgetRates;

@@ -1,0 +1,4 @@
+@NullMarked
+package org.dronemap.proxy.outlet.client;
+
+import org.jspecify.annotations.NullMarked;

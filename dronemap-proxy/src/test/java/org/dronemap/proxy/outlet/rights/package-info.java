@@ -1,0 +1,4 @@
+@NullMarked
+package org.dronemap.proxy.outlet.rights;
+
+import org.jspecify.annotations.NullMarked;
