@@ -28,6 +28,22 @@ class OrganisationsTest {
     }
 
     @Test
+    void areNoMoreThanTheServerIsSetTo() {
+        root.http().post("/api/v1/organisations", "{\"name\":\"One " + house.number() + "\"}");
+        OrganisationService full = new OrganisationService(
+                house.bean(GrantChanges.class),
+                house.bean(AccessStore.class),
+                house.cloud(),
+                house.bean(ZoneService.class),
+                Clock.systemUTC(),
+                new EnvironmentVariables(Map.of("DRONEMAP_ORGANISATIONS", "1")));
+
+        assertThatThrownBy(() -> full.add(
+                        new Principal("root", Role.ADMINISTRATOR), new OrganisationService.NameRequest("One more")))
+                .hasMessage("There are 1 organisations already.");
+    }
+
+    @Test
     void letAnOrganisationBeginByAnInvitation() {
         List<String> before = drones(root);
         assertThat(before).contains(one.id());

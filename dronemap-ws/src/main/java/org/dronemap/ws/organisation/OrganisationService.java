@@ -18,6 +18,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.Organisation;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.ws.access.RoleChecks;
+import org.dronemap.ws.environment.EnvironmentVariables;
 import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.NotFoundProblem;
@@ -35,7 +36,9 @@ import org.jspecify.annotations.Nullable;
  */
 public final class OrganisationService {
     static final int LONGEST_NAME = 60;
-    private static final int MOST = 200;
+    private static final String MOST = "DRONEMAP_ORGANISATIONS";
+    private static final int USUAL = 200;
+    private static final int UTMOST = 10_000;
     private static final String HOME_NAME = "Home";
     private static final String ID_FORM = "the id of an organisation";
 
@@ -44,6 +47,7 @@ public final class OrganisationService {
     private final CloudManager cloud;
     private final ZoneService zones;
     private final Clock clock;
+    private final int most;
     private final SecretGenerator secrets = new SecretGenerator();
 
     /** Request with the name of an organisation. */
@@ -62,12 +66,18 @@ public final class OrganisationService {
             @Nullable Instant madeAt) {}
 
     public OrganisationService(
-            GrantChanges grants, AccessStore access, CloudManager cloud, ZoneService zones, Clock clock) {
+            GrantChanges grants,
+            AccessStore access,
+            CloudManager cloud,
+            ZoneService zones,
+            Clock clock,
+            EnvironmentVariables variables) {
         this.zones = zones;
         this.grants = grants;
         this.access = access;
         this.cloud = cloud;
         this.clock = clock;
+        this.most = variables.whole(MOST, 1, UTMOST, USUAL);
     }
 
     /** The default one first. */
@@ -82,12 +92,12 @@ public final class OrganisationService {
 
     public OrganisationView add(Principal principal, NameRequest request) {
         RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
-        if (grants.holdings().organisations().size() >= MOST) {
+        if (grants.holdings().organisations().size() >= most) {
             throw Rejection.of(
                     ServerProblem.LIMIT_REACHED,
-                    "There are " + MOST + " organisations already.",
+                    "There are " + most + " organisations already.",
                     ProblemParameter.WHAT.is("organisations"),
-                    ProblemParameter.MOST.is(MOST));
+                    ProblemParameter.MOST.is(most));
         }
         String id = "o"
                 + secrets.token()

@@ -17,13 +17,8 @@ public final class FacesServer {
 
     private FacesServer() {}
 
-    /** With nothing set that use cases read for themselves. */
-    public static ConfigurableApplicationContext start(ServerSettings settings, ServerComponents house) {
-        return start(settings, new EnvironmentVariables(Map.of()), house);
-    }
-
     /** {@code variables}: what use cases read for themselves. */
-    static ConfigurableApplicationContext start(
+    public static ConfigurableApplicationContext start(
             ServerSettings settings, EnvironmentVariables variables, ServerComponents house) {
         SpringApplication application = new SpringApplicationBuilder(FacesApplication.class)
                 .bannerMode(Banner.Mode.OFF)

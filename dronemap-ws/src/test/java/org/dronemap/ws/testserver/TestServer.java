@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.time.Clock;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.dronemap.cognitive.follow.FollowSeparation;
 import org.dronemap.core.access.AccessKey;
@@ -54,6 +55,7 @@ import org.dronemap.store.secret.HmacKeyedHash;
 import org.dronemap.store.secret.SecretBox;
 import org.dronemap.ws.account.PasswordHashing;
 import org.dronemap.ws.budget.BudgetRates;
+import org.dronemap.ws.environment.EnvironmentVariables;
 import org.dronemap.ws.follow.OwnerRightsCache;
 import org.dronemap.ws.limit.ClientLimits;
 import org.dronemap.ws.link.DtlsKeyRing;
@@ -86,6 +88,10 @@ public final class TestServer implements AutoCloseable {
 
     private static final ServerSettings.Protection PATIENT_WITH_ALL =
             new ServerSettings.Protection(ClientLimits.DEFAULT, BudgetRates.UNBOUNDED);
+
+    /** Each test that shares a server has an organisation of its own. */
+    private static final EnvironmentVariables MANY_TENANTS =
+            new EnvironmentVariables(Map.of("DRONEMAP_ORGANISATIONS", "10000"));
 
     private final Time time = new RealTime();
     private final Lanes lanes = new Lanes(time, 2);
@@ -172,7 +178,7 @@ public final class TestServer implements AutoCloseable {
                 QUICK_PASSWORDS,
                 List.of(),
                 ProcessStart.ORDINARY);
-        faces = StatusRecordingValve.watch(FacesServer.start(settings(choices), house));
+        faces = StatusRecordingValve.watch(FacesServer.start(settings(choices), MANY_TENANTS, house));
     }
 
     private VirtualDrones virtuals() {
