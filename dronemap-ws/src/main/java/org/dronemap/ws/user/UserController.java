@@ -30,7 +30,7 @@ import org.springframework.web.bind.annotation.RestController;
         name = "Users",
         description = "Who may come in, and as what; for administrators. A change takes effect at once,"
                 + " on open streams as well.")
-public class UserController {
+class UserController {
     private final UserService users;
     private final AccessKeyService keys;
     private final CurrentPrincipal current;
@@ -39,7 +39,7 @@ public class UserController {
     @Schema(name = "Users")
     public record Users(List<UserView> users) {}
 
-    public UserController(UserService users, AccessKeyService keys, CurrentPrincipal current) {
+    UserController(UserService users, AccessKeyService keys, CurrentPrincipal current) {
         this.users = users;
         this.keys = keys;
         this.current = current;
