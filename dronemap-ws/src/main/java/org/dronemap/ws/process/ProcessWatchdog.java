@@ -18,7 +18,7 @@ import org.slf4j.LoggerFactory;
  * missing there is thrown to libraries, which keep it to themselves. Turns are counted, not seconds, so that a process
  * that stood still as a whole blames no lane.
  */
-final class ProcessWatchdog implements AutoCloseable {
+public final class ProcessWatchdog implements AutoCloseable {
     private static final Logger LOG = LoggerFactory.getLogger(ProcessWatchdog.class);
     static final Duration RHYTHM = Duration.ofSeconds(2);
     /** At the fifth check without a turn of a lane: 8 to 10 s. */
@@ -36,7 +36,7 @@ final class ProcessWatchdog implements AutoCloseable {
 
     private record LaneProgress(long turns, int checks) {}
 
-    ProcessWatchdog(ProcessStateFile run, ProcessTerminator end, List<Lane> lanes, Time time) {
+    public ProcessWatchdog(ProcessStateFile run, ProcessTerminator end, List<Lane> lanes, Time time) {
         this.run = run;
         this.end = end;
         this.lanes = List.copyOf(lanes);

@@ -8,7 +8,6 @@ import org.dronemap.ws.access.Access;
 import org.dronemap.ws.access.AccessLevel;
 import org.dronemap.ws.access.ResourceScope;
 import org.dronemap.ws.http.ResponseStatuses;
-import org.dronemap.ws.key.AccessKeyController;
 import org.dronemap.ws.key.AccessKeyService;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.http.HttpStatus;
@@ -105,8 +104,8 @@ class UserController {
             operationId = "listUserAccessKeys",
             summary = "List a user's access keys",
             description = "What they may do and when they were last used.")
-    public AccessKeyController.Keys accessKeys(@PathVariable String name) {
-        return new AccessKeyController.Keys(keys.keysOf(current.principal(), name));
+    public AccessKeyService.Keys accessKeys(@PathVariable String name) {
+        return new AccessKeyService.Keys(keys.keysOf(current.principal(), name));
     }
 
     @DeleteMapping("/{name}/access-keys/{id}")
