@@ -25,7 +25,7 @@ final class RoomRules {
 
     /** From below to above. */
     static final List<String> FLOORS =
-            List.of("environment", "problem", "reading", "budget", "account", "access", "security", "http");
+            List.of("environment", "schedule", "problem", "reading", "budget", "account", "access", "security", "http");
 
     /** From a room to those that it sees. */
     static final Map<String, Set<String>> ARROWS = Stream.of(

@@ -2,12 +2,15 @@ package org.dronemap.ws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -15,6 +18,8 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.springframework.context.annotation.Configuration;
+import org.springframework.web.bind.annotation.RestController;
 
 /** Rooms are small, say what they are, and the arrows between them are those that are needed. */
 class RoomsTest {
@@ -34,6 +39,29 @@ class RoomsTest {
         assertThat(RoomRules.ARROWS)
                 .allSatisfy(
                         (room, others) -> assertThat(used.get(room)).as(room).containsAll(others));
+    }
+
+    @Test
+    void keepsHandlersAndConfigurationsToItself() {
+        JavaClasses all = new ClassFileImporter().importPackages("org.dronemap.ws");
+        List<JavaClass> own = all.stream()
+                .filter(type -> type.isAnnotatedWith(RestController.class) || type.isAnnotatedWith(Configuration.class))
+                .filter(type -> !type.getPackageName().matches("org\\.dronemap\\.ws\\.(http|violation)"))
+                .toList();
+
+        assertThat(own)
+                .hasSizeGreaterThan(50)
+                .noneMatch(type -> type.getModifiers().contains(JavaModifier.PUBLIC));
+    }
+
+    /** Those of tests would be found by any server that a test starts. */
+    @Test
+    void hasNoConfigurationsInTests() {
+        JavaClasses tests = new ClassFileImporter()
+                .withImportOption(new ImportOption.OnlyIncludeTests())
+                .importPackages("org.dronemap.ws");
+
+        assertThat(tests).isNotEmpty().noneMatch(type -> type.isAnnotatedWith(Configuration.class));
     }
 
     @Test

@@ -75,7 +75,7 @@ final class TimeSourceRules {
             "org.dronemap.ws.server.ServerBuilder",
             "org.dronemap.ws.server.OutletBuilder",
             "org.dronemap.ws.server.RobotEndpointBuilder",
-            "org.dronemap.ws.server.PeriodicTask",
+            "org.dronemap.ws.schedule.PeriodicTask",
             "org.dronemap.ws.server.OperationComponents",
             "org.dronemap.ws.wiring.ServiceConfiguration");
 

@@ -310,7 +310,7 @@ public final class CloudManager {
 
     private void drop(ManagedDrone drone) {
         if (registry.remove(drone)) {
-            drone.lane().execute(() -> drone.lane().removePeriodicTask(drone));
+            drone.lane().execute(() -> drone.lane().removeTimedTask(drone));
             everybody.droneRemoved(drone.id());
         }
     }
@@ -350,7 +350,7 @@ public final class CloudManager {
             drone.preparedBy(new CloudLossPreparation(drone, gate, losses, clock));
         }
         registry.add(drone);
-        lane.execute(() -> lane.addPeriodicTask(drone));
+        lane.execute(() -> lane.addTimedTask(drone));
         return drone;
     }
 

@@ -100,7 +100,7 @@ final class CommandDispatcher {
         if (entry.open().command().kind().contention() == Contention.FLIGHT) {
             entry.drone().setpoints().commanded(entry.open().record().summary());
         }
-        Lane.PeriodicTask guard = guard(entry);
+        Lane.TimedTask guard = guard(entry);
         long since = entry.drone().lane().activeNanos();
         if (!entry.drone().preparation().delays(entry, () -> sendPrepared(entry, guard, since))) {
             send(entry, guard, channel);
@@ -116,7 +116,7 @@ final class CommandDispatcher {
     }
 
     /** After what came first: what has changed meanwhile is judged anew, and waiting for that made nothing late. */
-    private void sendPrepared(PendingCommand entry, Lane.PeriodicTask guard, long since) {
+    private void sendPrepared(PendingCommand entry, Lane.TimedTask guard, long since) {
         if (entry.open().record().outcome() != null) {
             return;
         }
@@ -148,14 +148,14 @@ final class CommandDispatcher {
         return channel.get();
     }
 
-    private Lane.PeriodicTask guard(PendingCommand entry) {
-        Lane.PeriodicTask guard =
+    private Lane.TimedTask guard(PendingCommand entry) {
+        Lane.TimedTask guard =
                 new CommandTimeoutWatch(entry.open(), entry.drone().lane(), outcome -> abort(entry, outcome));
-        entry.drone().lane().addPeriodicTask(guard);
+        entry.drone().lane().addTimedTask(guard);
         return guard;
     }
 
-    private void send(PendingCommand entry, Lane.PeriodicTask guard, VehicleChannel channel) {
+    private void send(PendingCommand entry, Lane.TimedTask guard, VehicleChannel channel) {
         Command command = entry.open().command();
         if (command.kind().purpose() != CommandKind.Purpose.READ) {
             entry.drone().commandedFromHere(true);
@@ -229,9 +229,9 @@ final class CommandDispatcher {
     /** Receiver of the vehicle channel's reports on one command; updates the command's record. */
     private final class Reporter implements VehicleChannel.Report {
         private final PendingCommand entry;
-        private final Lane.PeriodicTask guard;
+        private final Lane.TimedTask guard;
 
-        Reporter(PendingCommand entry, Lane.PeriodicTask guard) {
+        Reporter(PendingCommand entry, Lane.TimedTask guard) {
             this.entry = entry;
             this.guard = guard;
         }
@@ -248,7 +248,7 @@ final class CommandDispatcher {
 
         @Override
         public void ended(Outcome outcome) {
-            entry.drone().lane().removePeriodicTask(guard);
+            entry.drone().lane().removeTimedTask(guard);
             end(entry, outcome);
         }
 

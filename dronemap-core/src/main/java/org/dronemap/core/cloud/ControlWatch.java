@@ -34,7 +34,7 @@ import org.slf4j.LoggerFactory;
  * Carries out effects of control changes of one drone: cancels old commands, secures a drone that lost its holder.
  * Owned by the drone's lane.
  */
-final class ControlWatch implements Lane.PeriodicTask {
+final class ControlWatch implements Lane.TimedTask {
     private static final Logger LOG = LoggerFactory.getLogger(ControlWatch.class);
     private static final long RHYTHM_NANOS = Duration.ofMillis(200).toNanos();
 

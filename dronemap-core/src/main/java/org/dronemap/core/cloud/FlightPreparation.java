@@ -7,7 +7,7 @@ import org.dronemap.core.drone.CloudLossState;
 /**
  * Prepares a vehicle before its first flight commanded by this cloud, and reverts that after the last one. On its lane.
  */
-interface FlightPreparation extends Lane.PeriodicTask {
+interface FlightPreparation extends Lane.TimedTask {
     /** Nothing. */
     FlightPreparation NONE = new FlightPreparation() {
         @Override

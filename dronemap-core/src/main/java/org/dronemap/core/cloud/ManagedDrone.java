@@ -27,7 +27,7 @@ import org.jspecify.annotations.Nullable;
  * The cloud's live object for one drone: its state, link, liveness and control. Owned by its lane, except where a
  * method says otherwise.
  */
-final class ManagedDrone implements Lane.PeriodicTask {
+final class ManagedDrone implements Lane.TimedTask {
     private static final long JUST_NANOS = 120_000_000_000L;
 
     private final DroneProjection drone;
@@ -48,7 +48,7 @@ final class ManagedDrone implements Lane.PeriodicTask {
     private volatile @Nullable Outlook outlook;
     private @Nullable LinkSession session;
     private boolean replayEnded;
-    private Lane.PeriodicTask watch = () -> {};
+    private Lane.TimedTask watch = () -> {};
     private Runnable modeChanged = () -> {};
     private volatile FlightPreparation preparation = FlightPreparation.NONE;
     private final SetpointForwarder setpoints;

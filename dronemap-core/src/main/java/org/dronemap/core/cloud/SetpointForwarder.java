@@ -23,7 +23,7 @@ import org.slf4j.LoggerFactory;
  * its first setpoint to its last, is one entry of the log of commands. Setpoints come from any thread, of which only
  * the newest waits; everything else belongs to the drone's lane.
  */
-final class SetpointForwarder implements Lane.PeriodicTask {
+final class SetpointForwarder implements Lane.TimedTask {
     private static final Logger LOG = LoggerFactory.getLogger(SetpointForwarder.class);
     /** No setpoint counts for longer. */
     static final long EXPIRES_NANOS = 500_000_000L;

@@ -29,7 +29,7 @@ abstract class CloudLossTestBase extends GuidedFlightTestBase {
         vehicle.settlesAtOnce = false;
         landed();
         // It says something all the time.
-        link.lane().execute(() -> link.lane().addPeriodicTask(() -> link.received()));
+        link.lane().execute(() -> link.lane().addTimedTask(() -> link.received()));
     }
 
     void landed() {

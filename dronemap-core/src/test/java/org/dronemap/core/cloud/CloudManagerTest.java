@@ -187,7 +187,7 @@ class CloudManagerTest {
     }
 
     private static void keepAlive(DroneLink link) {
-        onLane(link, () -> link.lane().addPeriodicTask(link::received));
+        onLane(link, () -> link.lane().addTimedTask(link::received));
     }
 
     private static boolean goneOnLane(DroneLink link) {

@@ -120,7 +120,7 @@ class ControlRaceTest {
             link.accept(new DroneEvent.Identified(CloudFixtures.copter(null), CloudFixtures.ALL));
             link.accept(new DroneEvent.ModeReported("GUIDED", true));
             link.accept(new DroneEvent.PhaseReported(FlightPhase.IN_AIR));
-            link.lane().addPeriodicTask(() -> {
+            link.lane().addTimedTask(() -> {
                 vehicle.tick();
                 link.received();
             });

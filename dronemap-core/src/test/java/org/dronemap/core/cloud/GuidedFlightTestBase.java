@@ -160,10 +160,10 @@ abstract class GuidedFlightTestBase {
     /** Until the lane has looked at the drone once more. */
     void awaitTick() {
         AtomicBoolean ticked = new AtomicBoolean();
-        Lane.PeriodicTask ticker = () -> ticked.set(true);
-        link.lane().execute(() -> link.lane().addPeriodicTask(ticker));
+        Lane.TimedTask ticker = () -> ticked.set(true);
+        link.lane().execute(() -> link.lane().addTimedTask(ticker));
         until(ticked::get);
-        link.lane().execute(() -> link.lane().removePeriodicTask(ticker));
+        link.lane().execute(() -> link.lane().removeTimedTask(ticker));
     }
 
     VehicleChannel.Report report(CommandRecord command) {

@@ -80,7 +80,7 @@ class IdentityTest {
     }
 
     private void keepAlive(DroneLink link) {
-        onLane(link, () -> link.lane().addPeriodicTask(link::received));
+        onLane(link, () -> link.lane().addTimedTask(link::received));
     }
 
     private DroneState state(DroneLink link) {

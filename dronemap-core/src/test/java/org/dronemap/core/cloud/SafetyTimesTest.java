@@ -145,7 +145,7 @@ class SafetyTimesTest {
     }
 
     private static void keepAlive(DroneLink link) {
-        onLane(link, () -> link.lane().addPeriodicTask(link::received));
+        onLane(link, () -> link.lane().addTimedTask(link::received));
     }
 
     private static void onLane(DroneLink link, Runnable work) {

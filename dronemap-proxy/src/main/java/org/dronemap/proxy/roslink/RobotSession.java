@@ -31,7 +31,7 @@ import org.jspecify.annotations.Nullable;
  * The server's session with one ROSLink robot over all its links: reports its state and carries out commands. Belongs
  * to the drone's lane; what says so may be called from anywhere.
  */
-final class RobotSession implements VehicleChannel, Lane.PeriodicTask {
+final class RobotSession implements VehicleChannel, Lane.TimedTask {
     private static final long GIVEN_UP_NANOS = 120_000_000_000L;
     private static final DroneEvent DRIVES_ON = new DroneEvent.TextReported(
             Severity.ALERT, "It was told to stand still five seconds ago and reports that it moves. Stop it by hand.");
@@ -104,7 +104,7 @@ final class RobotSession implements VehicleChannel, Lane.PeriodicTask {
         tape.bound(bound.id());
         Lane lane = bound.lane();
         lane.execute(() -> {
-            lane.addPeriodicTask(this);
+            lane.addTimedTask(this);
             telemetry.identified();
             standstill.calledIn(table.now());
         });
@@ -190,7 +190,7 @@ final class RobotSession implements VehicleChannel, Lane.PeriodicTask {
         over = true;
         errands.values().forEach(errand -> errand.abandon(why));
         errands.clear();
-        Objects.requireNonNull(drone).lane().removePeriodicTask(this);
+        Objects.requireNonNull(drone).lane().removeTimedTask(this);
         tape.ended();
         table.ended(this);
     }

@@ -25,7 +25,7 @@ import org.slf4j.LoggerFactory;
  * that speaks for that drone already; everything but {@link #offer}, {@link #played} and {@link #vanish} belongs to the
  * lane where it is.
  */
-final class VehicleSession implements VehicleChannel, Lane.PeriodicTask {
+final class VehicleSession implements VehicleChannel, Lane.TimedTask {
     private static final Logger LOG = LoggerFactory.getLogger(VehicleSession.class);
     private static final long SECOND_NANOS = 1_000_000_000L;
     private static final long STRANGER_GIVEN_UP_NANOS = 10 * SECOND_NANOS;
@@ -72,7 +72,7 @@ final class VehicleSession implements VehicleChannel, Lane.PeriodicTask {
                 lane, frame -> surroundings.watch().atWork().at(mark, () -> process(frame)));
         lastReceivedNanos = surroundings.now();
         Lane registry = lane;
-        registry.execute(() -> registry.addPeriodicTask(this));
+        registry.execute(() -> registry.addTimedTask(this));
     }
 
     /** Takes a frame in; false when there was no room. Any thread. */
@@ -288,14 +288,14 @@ final class VehicleSession implements VehicleChannel, Lane.PeriodicTask {
         Lane to = bound.lane();
         moving = true;
         lane = to;
-        from.removePeriodicTask(this);
+        from.removeTimedTask(this);
         try {
             to.execute(() -> arrive(bound));
         } catch (RejectedExecutionException e) {
             LOG.warn("The lane of {} had no room for its session; it will try again", bound.id(), e);
             moving = false;
             lane = from;
-            from.addPeriodicTask(this);
+            from.addTimedTask(this);
             return;
         }
         mailbox.moveTo(to);
@@ -315,7 +315,7 @@ final class VehicleSession implements VehicleChannel, Lane.PeriodicTask {
             end();
             return;
         }
-        lane.addPeriodicTask(this);
+        lane.addTimedTask(this);
         conversation.begin(surroundings.now());
         news.publishTo(bound);
     }
@@ -360,7 +360,7 @@ final class VehicleSession implements VehicleChannel, Lane.PeriodicTask {
         if (!ended) {
             ended = true;
             guard.leave();
-            lane.removePeriodicTask(this);
+            lane.removeTimedTask(this);
             tap.ended();
             onEnd.run();
         }

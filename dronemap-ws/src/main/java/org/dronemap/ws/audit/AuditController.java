@@ -37,12 +37,12 @@ import org.springframework.web.bind.annotation.RestController;
         description =
                 "What was done, or asked for and refused, by whom, through which face. Every record stands for all"
                         + " before it, so that later changes show; for supervisors.")
-public class AuditController {
+class AuditController {
     private final AuditService audit;
     private final CurrentPrincipal current;
     private final JsonCodec json;
 
-    public AuditController(AuditService audit, CurrentPrincipal current, JsonCodec json) {
+    AuditController(AuditService audit, CurrentPrincipal current, JsonCodec json) {
         this.audit = audit;
         this.current = current;
         this.json = json;

@@ -11,7 +11,7 @@ import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
 /** File formats in which audit records are exported: CSV, or JSON Lines with one record on each line. */
-public enum AuditExportFormat {
+enum AuditExportFormat {
     CSV("text/csv"),
     JSONL("application/jsonl");
 

@@ -24,11 +24,11 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1/commands")
 @Tag(name = "Commands")
-public class BroadcastController {
+class BroadcastController {
     private final BroadcastService broadcasts;
     private final CurrentPrincipal current;
 
-    public BroadcastController(BroadcastService broadcasts, CurrentPrincipal current) {
+    BroadcastController(BroadcastService broadcasts, CurrentPrincipal current) {
         this.broadcasts = broadcasts;
         this.current = current;
     }

@@ -28,7 +28,7 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1")
 @Tag(name = "Commands", description = "Each command ends in exactly one outcome; the same id twice acts once.")
-public class CommandController {
+class CommandController {
     private final CommandService commands;
     private final CurrentPrincipal current;
 
@@ -36,7 +36,7 @@ public class CommandController {
     @Schema(name = "Commands")
     public record Commands(List<CommandView> commands) {}
 
-    public CommandController(CommandService commands, CurrentPrincipal current) {
+    CommandController(CommandService commands, CurrentPrincipal current) {
         this.commands = commands;
         this.current = current;
     }

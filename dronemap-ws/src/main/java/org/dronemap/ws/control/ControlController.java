@@ -28,11 +28,11 @@ import org.springframework.web.bind.annotation.RestController;
         name = "Control",
         description = "One user commands a drone at a time. The first command takes control where it is free; taken on"
                 + " purpose it is kept by a heartbeat every 2 s. 409 says who has control and since when.")
-public class ControlController {
+class ControlController {
     private final ControlService controls;
     private final CurrentPrincipal current;
 
-    public ControlController(ControlService controls, CurrentPrincipal current) {
+    ControlController(ControlService controls, CurrentPrincipal current) {
         this.controls = controls;
         this.current = current;
     }

@@ -26,7 +26,7 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1/drones")
 @Tag(name = "Drones", description = "Every vehicle that the cloud knows, with its state now.")
-public class DroneController {
+class DroneController {
     private final DroneService drones;
     private final CurrentPrincipal current;
 
@@ -34,7 +34,7 @@ public class DroneController {
     @Schema(name = "Drones")
     public record Drones(List<DroneView> drones) {}
 
-    public DroneController(DroneService drones, CurrentPrincipal current) {
+    DroneController(DroneService drones, CurrentPrincipal current) {
         this.drones = drones;
         this.current = current;
     }

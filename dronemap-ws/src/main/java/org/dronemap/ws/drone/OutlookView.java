@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Forecast of what happens to a drone in the air if it loses whoever controls it, as clients see it. */
 @Schema(name = "OutlookView", description = "What becomes of a drone in the air when whoever has it has it no more.")
-public record OutlookView(
+record OutlookView(
         @Schema(
                 description =
                         "kept: somebody has it; waits: nobody has, and it is brought home unless somebody takes it;"

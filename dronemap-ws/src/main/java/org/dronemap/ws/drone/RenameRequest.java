@@ -6,6 +6,6 @@ import org.jspecify.annotations.Nullable;
 
 /** A request to give a drone another name. */
 @Schema(name = "RenameRequest")
-public record RenameRequest(
+record RenameRequest(
         @Size(min = 1, max = DroneService.LONGEST_NAME) @Nullable
         String name) {}

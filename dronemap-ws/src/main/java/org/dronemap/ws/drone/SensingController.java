@@ -22,11 +22,11 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1/drones/{id}/sensed")
 @Tag(name = "Sensors", description = "The newest sweep of its range finder, picture of its camera and map of a drone.")
-public class SensingController {
+class SensingController {
     private final SensingService sensing;
     private final CurrentPrincipal current;
 
-    public SensingController(SensingService sensing, CurrentPrincipal current) {
+    SensingController(SensingService sensing, CurrentPrincipal current) {
         this.sensing = sensing;
         this.current = current;
     }

@@ -7,26 +7,26 @@ import org.dronemap.core.drone.Picture;
 import org.dronemap.core.drone.SensorSnapshot;
 
 /** Returns the latest laser scan, camera picture and map of a drone to users who may see it. Any thread. */
-public final class SensingService {
+final class SensingService {
     private final CloudManager cloud;
     private final DroneService drones;
 
-    public SensingService(CloudManager cloud, DroneService drones) {
+    SensingService(CloudManager cloud, DroneService drones) {
         this.cloud = cloud;
         this.drones = drones;
     }
 
-    public SensingView sensed(Principal principal, String droneId) {
+    SensingView sensed(Principal principal, String droneId) {
         return SensingView.of(of(principal, droneId));
     }
 
     /** Empty when none came yet. */
-    public Optional<Picture> picture(Principal principal, String droneId) {
+    Optional<Picture> picture(Principal principal, String droneId) {
         return Optional.ofNullable(of(principal, droneId).picture()).map(SensorSnapshot.Sample::value);
     }
 
     /** Empty when none came yet. */
-    public Optional<Picture> map(Principal principal, String droneId) {
+    Optional<Picture> map(Principal principal, String droneId) {
         return Optional.ofNullable(of(principal, droneId).map())
                 .map(kept -> kept.value().picture());
     }

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 
 /** The latest sensor readings of a drone as clients see them; null where there is none yet. */
 @Schema(name = "SensedView")
-public record SensingView(
+record SensingView(
         @Nullable ScanView scan,
         @Nullable PictureView picture,
         @Nullable MapView map) {

@@ -16,7 +16,7 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1/left-behind")
 @Tag(name = "Drones")
-public class UnrestoredParameterController {
+class UnrestoredParameterController {
     private final UnrestoredParameterService service;
     private final CurrentPrincipal current;
 
@@ -24,7 +24,7 @@ public class UnrestoredParameterController {
     @Schema(name = "LeftBehind")
     public record UnrestoredDrones(List<UnrestoredParameterService.UnrestoredDroneView> drones) {}
 
-    public UnrestoredParameterController(UnrestoredParameterService service, CurrentPrincipal current) {
+    UnrestoredParameterController(UnrestoredParameterService service, CurrentPrincipal current) {
         this.service = service;
         this.current = current;
     }

@@ -13,20 +13,19 @@ import org.dronemap.ws.access.RoleChecks;
 /**
  * Lists parameters changed by the cloud and not restored on drones that were removed, for administrators. Any thread.
  */
-public final class UnrestoredParameterService {
+final class UnrestoredParameterService {
     private final CloudManager cloud;
 
     /** A drone that is not there any more, as it was called, and what its owner had set on it. */
     @Schema(name = "LeftBehindView")
-    public record UnrestoredDroneView(
-            String id, String name, Instant since, List<DroneView.OutstandingView> outstanding) {}
+    record UnrestoredDroneView(String id, String name, Instant since, List<DroneView.OutstandingView> outstanding) {}
 
-    public UnrestoredParameterService(CloudManager cloud) {
+    UnrestoredParameterService(CloudManager cloud) {
         this.cloud = cloud;
     }
 
     /** The oldest first. */
-    public List<UnrestoredDroneView> leftBehind(Principal principal) {
+    List<UnrestoredDroneView> leftBehind(Principal principal) {
         RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         return cloud.outstandingOverrides().stream()
                 .map(UnrestoredParameterService::view)

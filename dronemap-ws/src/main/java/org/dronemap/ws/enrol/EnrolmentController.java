@@ -27,7 +27,7 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1/waiting")
 @Tag(name = "Enrolment", description = "Vehicles that nobody knows yet, and such as say they are who they are not.")
-public class EnrolmentController {
+class EnrolmentController {
     private final EnrolmentService waiting;
     private final CurrentPrincipal current;
 
@@ -35,7 +35,7 @@ public class EnrolmentController {
     @Schema(name = "Waitings")
     public record PendingVehicles(List<PendingVehicleView> waiting) {}
 
-    public EnrolmentController(EnrolmentService waiting, CurrentPrincipal current) {
+    EnrolmentController(EnrolmentService waiting, CurrentPrincipal current) {
         this.waiting = waiting;
         this.current = current;
     }

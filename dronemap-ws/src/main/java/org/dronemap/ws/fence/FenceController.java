@@ -25,11 +25,11 @@ import org.springframework.web.bind.annotation.RestController;
 @Tag(
         name = "Fences",
         description = "The fence and the rally points that the vehicle itself keeps; read back when changed.")
-public class FenceController {
+class FenceController {
     private final FenceService fences;
     private final CurrentPrincipal current;
 
-    public FenceController(FenceService fences, CurrentPrincipal current) {
+    FenceController(FenceService fences, CurrentPrincipal current) {
         this.fences = fences;
         this.current = current;
     }

@@ -32,7 +32,7 @@ import org.springframework.web.bind.annotation.RestController;
                 "A phone asks to be followed: a drone is chosen and kept for it, takes off when it is started, and stays beside"
                         + " the phone as long as that says where it is. It holds 2 s after the last position, and flies home"
                         + " when none come any more, or the battery asks for it.")
-public class FollowController {
+class FollowController {
     private final FollowService follows;
     private final CurrentPrincipal current;
 
@@ -40,7 +40,7 @@ public class FollowController {
     @Schema(name = "FollowList")
     public record FollowList(List<FollowView> follows) {}
 
-    public FollowController(FollowService follows, CurrentPrincipal current) {
+    FollowController(FollowService follows, CurrentPrincipal current) {
         this.follows = follows;
         this.current = current;
     }

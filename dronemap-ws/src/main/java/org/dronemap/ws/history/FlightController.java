@@ -38,13 +38,13 @@ import org.springframework.web.bind.annotation.RestController;
         name = "Flights",
         description = "Each flight from arming to disarming, or until the drone was heard no more: who, where, how far,"
                 + " what was measured and what happened.")
-public class FlightController {
+class FlightController {
     private final FlightService flights;
     private final TelemetryService telemetry;
     private final TelemetryExporter files;
     private final CurrentPrincipal current;
 
-    public FlightController(
+    FlightController(
             FlightService flights, TelemetryService telemetry, TelemetryExporter files, CurrentPrincipal current) {
         this.flights = flights;
         this.telemetry = telemetry;

@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Notes that people write about a flight. */
 @Schema(name = "FlightNotes")
-public record FlightNotes(
+record FlightNotes(
         @Size(max = FlightNotes.LONGEST) @Nullable String notes) {
     static final int LONGEST = 4_000;
     private static final String ALLOWED = "0 to " + LONGEST + " characters";

@@ -30,12 +30,12 @@ import org.springframework.web.bind.annotation.RestController;
         description =
                 "What was measured of a drone over time, and what happened to it: of the last hour, unless from and"
                         + " until say otherwise.")
-public class TelemetryController {
+class TelemetryController {
     private final TelemetryService telemetry;
     private final TelemetryExporter files;
     private final CurrentPrincipal current;
 
-    public TelemetryController(TelemetryService telemetry, TelemetryExporter files, CurrentPrincipal current) {
+    TelemetryController(TelemetryService telemetry, TelemetryExporter files, CurrentPrincipal current) {
         this.telemetry = telemetry;
         this.files = files;
         this.current = current;

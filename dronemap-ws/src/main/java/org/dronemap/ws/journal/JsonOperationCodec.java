@@ -23,7 +23,7 @@ import tools.jackson.databind.node.ObjectNode;
  * Reads and writes an operation's states, inputs and decisions as JSON lines; a decision holds a state's SHA-256 only.
  * Any thread.
  */
-public class JsonOperationCodec<S, I> implements OperationCodec<S, I> {
+class JsonOperationCodec<S, I> implements OperationCodec<S, I> {
     private final JsonMapper mapper = JsonMapper.builder()
             .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
             .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)

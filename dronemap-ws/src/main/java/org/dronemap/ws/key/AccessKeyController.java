@@ -1,10 +1,8 @@
 package org.dronemap.ws.key;
 
 import io.swagger.v3.oas.annotations.Operation;
-import io.swagger.v3.oas.annotations.media.Schema;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
-import java.util.List;
 import org.dronemap.ws.access.Access;
 import org.dronemap.ws.access.AccessLevel;
 import org.dronemap.ws.access.ResourceScope;
@@ -25,15 +23,11 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1/access-keys")
 @Tag(name = "Access keys", description = "One's own access keys, for programs.")
-public class AccessKeyController {
+class AccessKeyController {
     private final AccessKeyService keys;
     private final CurrentPrincipal current;
 
-    /** All keys of the caller. */
-    @Schema(name = "AccessKeys")
-    public record Keys(List<AccessKeyView> accessKeys) {}
-
-    public AccessKeyController(AccessKeyService keys, CurrentPrincipal current) {
+    AccessKeyController(AccessKeyService keys, CurrentPrincipal current) {
         this.keys = keys;
         this.current = current;
     }
@@ -41,8 +35,8 @@ public class AccessKeyController {
     @GetMapping
     @Access(from = AccessLevel.VIEWER, about = ResourceScope.OWN)
     @Operation(operationId = "listAccessKeys", summary = "List one's own access keys")
-    public Keys keys() {
-        return new Keys(keys.keys(current.principal()));
+    public AccessKeyService.Keys keys() {
+        return new AccessKeyService.Keys(keys.keys(current.principal()));
     }
 
     @PostMapping

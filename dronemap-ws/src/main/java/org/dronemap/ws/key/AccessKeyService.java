@@ -1,5 +1,6 @@
 package org.dronemap.ws.key;
 
+import io.swagger.v3.oas.annotations.media.Schema;
 import java.time.Clock;
 import java.time.Instant;
 import java.util.ArrayDeque;
@@ -42,6 +43,10 @@ public final class AccessKeyService {
     private final AccountChanges accounts;
     private final SecretGenerator secrets;
     private final Clock clock;
+
+    /** All keys of one user. */
+    @Schema(name = "AccessKeys")
+    public record Keys(List<AccessKeyView> accessKeys) {}
 
     public AccessKeyService(AccessStore store, AccountChanges accounts, SecretGenerator secrets, Clock clock) {
         this.store = store;

@@ -25,7 +25,7 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1")
 @Tag(name = "Links", description = "Ways in for vehicles and their counters (administrator).")
-public class EndpointController {
+class EndpointController {
     private final EndpointService links;
     private final DtlsKeyService keys;
     private final CurrentPrincipal current;
@@ -42,7 +42,7 @@ public class EndpointController {
     @Schema(name = "DtlsKeys")
     public record DtlsKeys(List<DtlsKeyService.DtlsKeyView> dtlsKeys) {}
 
-    public EndpointController(EndpointService links, DtlsKeyService keys, CurrentPrincipal current) {
+    EndpointController(EndpointService links, DtlsKeyService keys, CurrentPrincipal current) {
         this.links = links;
         this.keys = keys;
         this.current = current;

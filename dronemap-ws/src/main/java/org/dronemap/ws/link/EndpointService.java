@@ -28,7 +28,7 @@ import org.jspecify.annotations.Nullable;
  * Lists, adds and removes the endpoints that vehicles connect to, and shows their traffic, for administrators. Any
  * thread.
  */
-public final class EndpointService {
+final class EndpointService {
     private static final String URL_FORM = "the URL of an endpoint, such as udpserver://0.0.0.0:14550";
     private static final int ID_LETTERS = 10;
 
@@ -38,15 +38,15 @@ public final class EndpointService {
 
     /** A new endpoint as an administrator writes it. */
     @Schema(name = "EndpointRequest")
-    public record EndpointRequest(@Nullable String url) {}
+    record EndpointRequest(@Nullable String url) {}
 
-    public EndpointService(VehicleEndpointGateway links, EndpointStore store, Clock clock) {
+    EndpointService(VehicleEndpointGateway links, EndpointStore store, Clock clock) {
         this.links = links;
         this.store = store;
         this.clock = clock;
     }
 
-    public List<EndpointView> endpoints(Principal principal) {
+    List<EndpointView> endpoints(Principal principal) {
         RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         Map<String, SavedEndpoint> saved =
                 store.links().stream().collect(Collectors.toMap(SavedEndpoint::id, Function.identity()));
@@ -55,7 +55,7 @@ public final class EndpointService {
                 .toList();
     }
 
-    public EndpointView endpoint(Principal principal, String id) {
+    EndpointView endpoint(Principal principal, String id) {
         return endpoints(principal).stream()
                 .filter(endpoint -> endpoint.id().equals(id))
                 .findFirst()
@@ -63,7 +63,7 @@ public final class EndpointService {
     }
 
     /** Kept from now on, also over restarts; listed as failed, with the reason, while it cannot open. */
-    public EndpointView add(Principal principal, EndpointRequest request) {
+    EndpointView add(Principal principal, EndpointRequest request) {
         RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         String url = checked(request.url());
         String id = "e" + UUID.randomUUID().toString().replace("-", "").substring(0, ID_LETTERS);
@@ -93,7 +93,7 @@ public final class EndpointService {
         }
     }
 
-    public void remove(Principal principal, String id) {
+    void remove(Principal principal, String id) {
         EndpointView endpoint = endpoint(principal, id);
         if (!store.deleteLink(id)) {
             throw Rejection.of(
@@ -104,7 +104,7 @@ public final class EndpointService {
     }
 
     /** What went over the link of each vehicle. */
-    public List<LinkTrafficView> traffic(Principal principal) {
+    List<LinkTrafficView> traffic(Principal principal) {
         RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         return links.traffic().stream().map(one -> unnamed(principal, one)).toList();
     }

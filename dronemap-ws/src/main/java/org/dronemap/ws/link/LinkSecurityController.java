@@ -25,11 +25,11 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1/drones/{id}")
 @Tag(name = "Signed links", description = "Keys of vehicles, and whether their messages must be signed.")
-public class LinkSecurityController {
+class LinkSecurityController {
     private final LinkSecurityService links;
     private final CurrentPrincipal current;
 
-    public LinkSecurityController(LinkSecurityService links, CurrentPrincipal current) {
+    LinkSecurityController(LinkSecurityService links, CurrentPrincipal current) {
         this.links = links;
         this.current = current;
     }

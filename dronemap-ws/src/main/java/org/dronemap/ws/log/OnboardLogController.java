@@ -32,11 +32,11 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1/drones/{id}/logs")
 @Tag(name = "Logs", description = "What the vehicle wrote on board, fetched over its link.")
-public class OnboardLogController {
+class OnboardLogController {
     private final OnboardLogService logs;
     private final CurrentPrincipal current;
 
-    public OnboardLogController(OnboardLogService logs, CurrentPrincipal current) {
+    OnboardLogController(OnboardLogService logs, CurrentPrincipal current) {
         this.logs = logs;
         this.current = current;
     }

@@ -26,7 +26,7 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1/missions")
 @Tag(name = "Missions", description = "Missions kept in the cloud, ready to be uploaded to a drone.")
-public class MissionController {
+class MissionController {
     private final MissionService missions;
     private final CurrentPrincipal current;
 
@@ -34,7 +34,7 @@ public class MissionController {
     @Schema(name = "Missions")
     public record Missions(List<MissionService.SavedMissionView> missions) {}
 
-    public MissionController(MissionService missions, CurrentPrincipal current) {
+    MissionController(MissionService missions, CurrentPrincipal current) {
         this.missions = missions;
         this.current = current;
     }

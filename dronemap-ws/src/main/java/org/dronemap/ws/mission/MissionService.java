@@ -19,7 +19,7 @@ import org.dronemap.ws.reading.NameRules;
 import org.jspecify.annotations.Nullable;
 
 /** Saves, lists, changes and deletes missions in the server's mission library, for users. Any thread. */
-public final class MissionService {
+final class MissionService {
     static final int LONGEST_NAME = 80;
 
     private final MissionStore store;
@@ -27,7 +27,7 @@ public final class MissionService {
 
     /** A mission as a client writes it. */
     @Schema(name = "MissionRequest")
-    public record MissionRequest(
+    record MissionRequest(
             @Size(min = 1, max = MissionService.LONGEST_NAME) @Nullable
             String name,
 
@@ -36,7 +36,7 @@ public final class MissionService {
 
     /** A saved mission as clients see it. */
     @Schema(name = "SavedMissionView")
-    public record SavedMissionView(String id, String name, List<MissionItemView> items, String by, Instant changedAt) {
+    record SavedMissionView(String id, String name, List<MissionItemView> items, String by, Instant changedAt) {
         static SavedMissionView of(SavedMission saved) {
             return new SavedMissionView(
                     saved.id(),
@@ -47,32 +47,32 @@ public final class MissionService {
         }
     }
 
-    public MissionService(MissionStore store, Clock clock) {
+    MissionService(MissionStore store, Clock clock) {
         this.store = store;
         this.clock = clock;
     }
 
-    public List<SavedMissionView> missions(Principal principal) {
+    List<SavedMissionView> missions(Principal principal) {
         return store.missions().stream()
                 .filter(saved -> saved.organisation().equals(principal.organisation()))
                 .map(SavedMissionView::of)
                 .toList();
     }
 
-    public SavedMissionView mission(Principal principal, String id) {
+    SavedMissionView mission(Principal principal, String id) {
         return SavedMissionView.of(find(principal, id));
     }
 
-    public SavedMissionView add(Principal principal, MissionRequest request) {
+    SavedMissionView add(Principal principal, MissionRequest request) {
         return save(principal, UUID.randomUUID().toString(), request);
     }
 
-    public SavedMissionView replace(Principal principal, String id, MissionRequest request) {
+    SavedMissionView replace(Principal principal, String id, MissionRequest request) {
         RoleChecks.require(principal, Role.PLANNER);
         return save(principal, find(principal, id).id(), request);
     }
 
-    public void delete(Principal principal, String id) {
+    void delete(Principal principal, String id) {
         RoleChecks.require(principal, Role.PLANNER);
         if (!store.delete(find(principal, id).id())) {
             throw Rejection.unknown(NotFoundProblem.MISSION, id);

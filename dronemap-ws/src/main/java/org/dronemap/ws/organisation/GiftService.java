@@ -33,7 +33,7 @@ import org.jspecify.annotations.Nullable;
  * Transfers drones from one organisation to another and back, only while they are on the ground and uncontrolled. Any
  * thread.
  */
-public final class GiftService {
+final class GiftService {
     private static final int NEWEST = 50;
 
     private final GrantChanges grants;
@@ -46,7 +46,7 @@ public final class GiftService {
 
     /** Options of a gift of a drone: whether its history goes along; without the option it does not. */
     @Schema(name = "GiftRequest")
-    public record GiftRequest(
+    record GiftRequest(
             @Schema(
                     description =
                             "Whether the new owners see flights, recordings, commands and telemetry of before, without names of people")
@@ -55,7 +55,7 @@ public final class GiftService {
 
     /** A drone that was given, and what that means. */
     @Schema(name = "GiftView")
-    public record GiftView(
+    record GiftView(
             @Schema(description = "Id of the drone") String drone,
             @Schema(description = "As it was called then") String droneName,
 
@@ -93,9 +93,9 @@ public final class GiftService {
 
     /** The drones of an organisation that others gave to it. */
     @Schema(name = "Gifts")
-    public record Gifts(List<GiftView> gifts) {}
+    record Gifts(List<GiftView> gifts) {}
 
-    public GiftService(
+    GiftService(
             GrantChanges grants,
             CloudManager cloud,
             VirtualDrones virtuals,
@@ -113,7 +113,7 @@ public final class GiftService {
     }
 
     /** Those that it still has, the last one last. */
-    public Gifts gifts(Principal principal, String organisation) {
+    Gifts gifts(Principal principal, String organisation) {
         RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         OrganisationId id = organisations.find(organisation).id();
         return new Gifts(grants.holdings().gifts().stream()
@@ -127,7 +127,7 @@ public final class GiftService {
     }
 
     /** Gives one of the default organisation's drones away. */
-    public GiftView give(Principal principal, String organisation, String drone, @Nullable GiftRequest request) {
+    GiftView give(Principal principal, String organisation, String drone, @Nullable GiftRequest request) {
         RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         OrganisationId to = organisations.find(organisation).id();
         boolean histories = request != null && Boolean.TRUE.equals(request.histories());
@@ -135,7 +135,7 @@ public final class GiftService {
     }
 
     /** Brings a drone back to those who gave it; what it did meanwhile is shown to those who had it, alone. */
-    public GiftView revoke(Principal principal, String organisation, String drone) {
+    GiftView revoke(Principal principal, String organisation, String drone) {
         RoleChecks.requireServer(principal, Role.ADMINISTRATOR);
         OrganisationId from = organisations.find(organisation).id();
         DroneState state = cloud.drones().stream()

@@ -29,7 +29,7 @@ import org.springframework.web.bind.annotation.RestController;
         name = "Grants",
         description = "What users and groups that see only what they were granted may do with which drones; for"
                 + " administrators.")
-public class GrantController {
+class GrantController {
     private final GrantService grants;
     private final CurrentPrincipal current;
 
@@ -37,7 +37,7 @@ public class GrantController {
     @Schema(name = "Grants")
     public record Grants(List<GrantService.GrantView> grants) {}
 
-    public GrantController(GrantService grants, CurrentPrincipal current) {
+    GrantController(GrantService grants, CurrentPrincipal current) {
         this.grants = grants;
         this.current = current;
     }

@@ -26,7 +26,7 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1")
 @Tag(name = "Groups and fleets", description = "Named sets of users and of drones; for administrators.")
-public class GroupController {
+class GroupController {
     private final GroupService groups;
     private final CurrentPrincipal current;
 
@@ -38,7 +38,7 @@ public class GroupController {
     @Schema(name = "Fleets")
     public record Fleets(List<GroupService.FleetView> fleets) {}
 
-    public GroupController(GroupService groups, CurrentPrincipal current) {
+    GroupController(GroupService groups, CurrentPrincipal current) {
         this.groups = groups;
         this.current = current;
     }

@@ -31,7 +31,7 @@ import org.springframework.web.bind.annotation.RestController;
         name = "Organisations",
         description = "People and drones that belong together and see nothing of other organisations; for the"
                 + " administrators of the server.")
-public class OrganisationController {
+class OrganisationController {
     private final OrganisationService organisations;
     private final GiftService gifts;
     private final CurrentPrincipal current;
@@ -40,7 +40,7 @@ public class OrganisationController {
     @Schema(name = "Organisations")
     public record Organisations(List<OrganisationService.OrganisationView> organisations) {}
 
-    public OrganisationController(OrganisationService organisations, GiftService gifts, CurrentPrincipal current) {
+    OrganisationController(OrganisationService organisations, GiftService gifts, CurrentPrincipal current) {
         this.organisations = organisations;
         this.gifts = gifts;
         this.current = current;

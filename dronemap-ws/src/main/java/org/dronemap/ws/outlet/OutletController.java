@@ -23,11 +23,11 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1/outlet")
 @Tag(name = "Outlet", description = "Attach QGroundControl, Mission Planner, MAVProxy or a program of one's own.")
-public class OutletController {
+class OutletController {
     private final OutletService outlet;
     private final CurrentPrincipal current;
 
-    public OutletController(OutletService outlet, CurrentPrincipal current) {
+    OutletController(OutletService outlet, CurrentPrincipal current) {
         this.outlet = outlet;
         this.current = current;
     }

@@ -37,12 +37,12 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1/drones/{id}/parameters")
 @Tag(name = "Parameters", description = "The settings of the vehicle itself; every change is read back.")
-public class ParameterController {
+class ParameterController {
     private final ParameterService parameters;
     private final CommandService commands;
     private final CurrentPrincipal current;
 
-    public ParameterController(ParameterService parameters, CommandService commands, CurrentPrincipal current) {
+    ParameterController(ParameterService parameters, CommandService commands, CurrentPrincipal current) {
         this.parameters = parameters;
         this.commands = commands;
         this.current = current;

@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * @param why what went wrong; null: nothing did
  * @param command the last one that was given for it; null: none yet
  */
-public record DroneLaunchStatus(
+record DroneLaunchStatus(
         DroneId drone,
         Stage stage,
         @Nullable Reason why,

@@ -36,7 +36,7 @@ import org.springframework.web.bind.annotation.RestController;
                 "Waypoints shared out among several drones: searched for in the background, round the zones of the"
                         + " cloud, within batteries and time windows, with the drones kept apart; checked by an independent"
                         + " checker; uploaded and started when you accept.")
-public class PlanController {
+class PlanController {
     private final PlanService plans;
     private final CurrentPrincipal current;
 
@@ -44,7 +44,7 @@ public class PlanController {
     @Schema(name = "PlanList")
     public record PlanList(List<PlanView> plans) {}
 
-    public PlanController(PlanService plans, CurrentPrincipal current) {
+    PlanController(PlanService plans, CurrentPrincipal current) {
         this.plans = plans;
         this.current = current;
     }

@@ -23,6 +23,13 @@ import org.slf4j.LoggerFactory;
 
 /** Runs planning jobs on a few threads with a bounded queue and keeps the jobs of each organisation. Any thread. */
 public final class PlanJobExecutor implements AutoCloseable {
+    /** Is told when a planning job changes or is removed; on any thread, so it must return at once. */
+    public interface PlanListener {
+        void changed(PlanJob job);
+
+        void removed(PlanJob job);
+    }
+
     private static final Logger LOG = LoggerFactory.getLogger(PlanJobExecutor.class);
     private static final double NANOS = 1e9;
     private static final int MOST_LAUNCHES = 10_000;

@@ -17,11 +17,11 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1/tours")
 @Tag(name = "Plans")
-public class TourController {
+class TourController {
     private final TourService tours;
     private final CurrentPrincipal current;
 
-    public TourController(TourService tours, CurrentPrincipal current) {
+    TourController(TourService tours, CurrentPrincipal current) {
         this.tours = tours;
         this.current = current;
     }

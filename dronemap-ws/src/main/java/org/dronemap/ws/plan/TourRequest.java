@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 
 /** A request to order the waypoints of one drone's mission, as a client writes it. Nothing is checked yet. */
 @Schema(name = "TourRequest", description = "Waypoints of one drone that are to be put into a good order.")
-public record TourRequest(
+record TourRequest(
         @Schema(description = "The id of the drone", requiredMode = Schema.RequiredMode.REQUIRED) @Nullable
         String drone,
 

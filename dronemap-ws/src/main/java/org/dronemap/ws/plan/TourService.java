@@ -31,7 +31,7 @@ import org.dronemap.ws.problem.ServerProblem;
  * Proposes a good order for the waypoints of one drone's mission, for an editor; it sends nothing to the drone. Any
  * thread.
  */
-public final class TourService implements AutoCloseable {
+final class TourService implements AutoCloseable {
     private static final int QUEUED = 8;
     private static final long SEED = 1;
 
@@ -40,14 +40,14 @@ public final class TourService implements AutoCloseable {
     private final Pool pool;
     private final Set<String> waiting = ConcurrentHashMap.newKeySet();
 
-    public TourService(DroneService drones, ZoneRegistry zones, Time time) {
+    TourService(DroneService drones, ZoneRegistry zones, Time time) {
         this.time = time;
         pool = time.pool("tours", 1, QUEUED);
         reader = new TourReader(drones, zones, time.clock());
     }
 
     /** One at a time for each user; refused while too many wait. */
-    public CompletableFuture<TourView> order(Principal principal, TourRequest request) {
+    CompletableFuture<TourView> order(Principal principal, TourRequest request) {
         RoleChecks.require(principal, Role.PLANNER);
         TourReader.Tour tour = reader.read(principal, request);
         if (!waiting.add(principal.name())) {

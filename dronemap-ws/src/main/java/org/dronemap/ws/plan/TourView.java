@@ -5,7 +5,7 @@ import java.util.List;
 
 /** The proposed order of one drone's waypoints, with its effort before and after, as clients see it. */
 @Schema(name = "TourView")
-public record TourView(
+record TourView(
         @Schema(
                 description = "The waypoints' numbers in the request, from 0, in the order in which to fly them; what"
                         + " cannot be visited comes last")

@@ -15,7 +15,7 @@ import java.util.stream.Collectors;
  * @param parameters told each time
  * @param optional told where they are known
  */
-public record ProblemCatalogueEntry(
+record ProblemCatalogueEntry(
         String word,
         RejectionKind kind,
         String meaning,

@@ -7,7 +7,7 @@ import java.util.Set;
 import org.dronemap.core.virtual.UnfitCode;
 
 /** Problem code of why a drone cannot serve a virtual drone or a follow, shown beside that drone in answers. */
-public record UnfitProblem(UnfitCode reason) implements ProblemCode {
+record UnfitProblem(UnfitCode reason) implements ProblemCode {
     /** Requests and commands are refused for these, too: they have the word already. */
     private static final Set<UnfitCode> OF_OTHERS = EnumSet.of(
             UnfitCode.CONTACT_NOT_GOOD,

@@ -12,18 +12,18 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /** File that keeps, a line each, how the last server processes of a data directory ended. */
-public final class ProcessEndLog {
+final class ProcessEndLog {
     private static final Logger LOG = LoggerFactory.getLogger(ProcessEndLog.class);
     private static final int MOST = 20;
 
     private final Path file;
 
-    public ProcessEndLog(Path file) {
+    ProcessEndLog(Path file) {
         this.file = file;
     }
 
     /** The oldest first. */
-    public List<ProcessCrash> all() {
+    List<ProcessCrash> all() {
         List<ProcessCrash> ends = new ArrayList<>();
         if (!Files.exists(file)) {
             return ends;
@@ -39,7 +39,7 @@ public final class ProcessEndLog {
     }
 
     /** All with a newer one. */
-    public List<ProcessCrash> with(ProcessCrash newest) {
+    List<ProcessCrash> with(ProcessCrash newest) {
         List<ProcessCrash> ends = all();
         ends.add(newest);
         List<ProcessCrash> kept = ends.subList(Math.max(0, ends.size() - MOST), ends.size());

@@ -20,7 +20,7 @@ import org.dronemap.core.process.ProcessCrash;
  * Memory-mapped file that survives a crash and tells the next server process how and over which peer this one ended.
  * Any thread; a thread has one place, which only it writes. It is read by the next process of the same data directory.
  */
-public final class ProcessStateFile implements ActivePeers {
+final class ProcessStateFile implements ActivePeers {
     private static final int VERSION = 1;
     private static final byte RUNNING = 1;
     private static final byte STOPPED = 2;
@@ -62,7 +62,7 @@ public final class ProcessStateFile implements ActivePeers {
      *
      * @param exitCode of the process before; empty: nobody knows it
      */
-    public static ProcessStateFile begin(Path file, Instant now, String exitCode) {
+    static ProcessStateFile begin(Path file, Instant now, String exitCode) {
         try (FileChannel channel =
                 FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE)) {
             ProcessStateFile run =
@@ -75,7 +75,7 @@ public final class ProcessStateFile implements ActivePeers {
     }
 
     /** How the process before ended; empty: it was stopped, or there was none. */
-    public Optional<ProcessCrash> before() {
+    Optional<ProcessCrash> before() {
         return before;
     }
 
@@ -90,12 +90,12 @@ public final class ProcessStateFile implements ActivePeers {
     }
 
     /** It is alive. */
-    public void sign(Instant now) {
+    void sign(Instant now) {
         bytes.putLong(SIGN_AT, now.toEpochMilli());
     }
 
     /** It was stopped: nothing is wrong. */
-    public void stopped() {
+    void stopped() {
         bytes.put(STATE_AT, STOPPED);
     }
 

@@ -15,9 +15,9 @@ import org.jspecify.annotations.Nullable;
  * Ends the server process when one of its threads dies of an error, as nothing else would do its work. Whoever started
  * it starts it again. What libraries fail with otherwise is told to the log.
  */
-public final class ProcessTerminator implements Thread.UncaughtExceptionHandler {
+final class ProcessTerminator implements Thread.UncaughtExceptionHandler {
     /** As sysexits.h has it for a fault of the software itself. */
-    public static final int EXIT_CODE = 70;
+    static final int EXIT_CODE = 70;
 
     private static final FileOutputStream ERRORS = new FileOutputStream(FileDescriptor.err);
 
@@ -25,7 +25,7 @@ public final class ProcessTerminator implements Thread.UncaughtExceptionHandler 
     private final Clock clock;
     private final IntConsumer halt;
 
-    public ProcessTerminator(ProcessStateFile run, Clock clock) {
+    ProcessTerminator(ProcessStateFile run, Clock clock) {
         this(run, clock, Runtime.getRuntime()::halt);
     }
 
@@ -46,7 +46,7 @@ public final class ProcessTerminator implements Thread.UncaughtExceptionHandler 
     }
 
     /** A part of the server cannot do its duty, and nothing helps but to start again. */
-    public void end(String part, String why) {
+    void end(String part, String why) {
         end(part, why, false, null);
     }
 

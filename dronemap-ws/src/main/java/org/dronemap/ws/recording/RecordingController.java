@@ -31,11 +31,11 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1/recordings")
 @Tag(name = "Recordings", description = "Each flight or drive: all that a vehicle said and was told.")
-public class RecordingController {
+class RecordingController {
     private final RecordingService recordings;
     private final CurrentPrincipal current;
 
-    public RecordingController(RecordingService recordings, CurrentPrincipal current) {
+    RecordingController(RecordingService recordings, CurrentPrincipal current) {
         this.recordings = recordings;
         this.current = current;
     }

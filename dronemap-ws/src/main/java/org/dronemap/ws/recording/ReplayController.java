@@ -31,7 +31,7 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1/replays")
 @Tag(name = "Replays", description = "Recordings (tlog) played back: their drones are shown, marked, never commanded.")
-public class ReplayController {
+class ReplayController {
     private final ReplayService replays;
     private final CurrentPrincipal current;
 
@@ -39,7 +39,7 @@ public class ReplayController {
     @Schema(name = "Replays")
     public record Replays(List<ReplayView> replays) {}
 
-    public ReplayController(ReplayService replays, CurrentPrincipal current) {
+    ReplayController(ReplayService replays, CurrentPrincipal current) {
         this.replays = replays;
         this.current = current;
     }

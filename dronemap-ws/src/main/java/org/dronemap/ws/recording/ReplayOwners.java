@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.dronemap.core.access.GrantRegistry;
+import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.organisation.OrganisationId;
 
@@ -29,12 +30,24 @@ public final class ReplayOwners {
 
     private record Played(OrganisationId owner, List<DroneId> drones) {}
 
-    public ReplayOwners(GrantRegistry book) {
+    private ReplayOwners(GrantRegistry book) {
         this.book = book;
     }
 
+    /** Those of all recordings that {@code cloud} is shown from now on. */
+    public static ReplayOwners of(GrantRegistry book, CloudManager cloud) {
+        ReplayOwners owners = new ReplayOwners(book);
+        cloud.registerBy((drone, session) -> {
+            if (session.replay()) {
+                // A recording is told from others by the port of its sessions.
+                owners.appeared("r" + session.key().port(), drone);
+            }
+        });
+        return owners;
+    }
+
     /** A recording shows a drone, which nobody can see yet. */
-    public synchronized void appeared(String replay, DroneId drone) {
+    private synchronized void appeared(String replay, DroneId drone) {
         Played by = played.computeIfAbsent(replay, id -> new Played(NOBODY, new ArrayList<>()));
         by.drones().add(drone);
         book.lend(drone, by.owner());

@@ -26,7 +26,7 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1/robot-keys")
 @Tag(name = "Robot keys", description = "By which robots are known, each as a drone of its organisation.")
-public class RobotKeyController {
+class RobotKeyController {
     private final RobotKeyService keys;
     private final CurrentPrincipal current;
 
@@ -34,7 +34,7 @@ public class RobotKeyController {
     @Schema(name = "RobotKeys")
     public record RobotKeys(List<RobotKeyService.RobotKeyView> robotKeys) {}
 
-    public RobotKeyController(RobotKeyService keys, CurrentPrincipal current) {
+    RobotKeyController(RobotKeyService keys, CurrentPrincipal current) {
         this.keys = keys;
         this.current = current;
     }

@@ -34,7 +34,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Issues, lists and revokes keys of ROSLink robots, for administrators of the organisations that own them. Any thread.
  */
-public final class RobotKeyService {
+final class RobotKeyService {
     static final int LONGEST_LABEL = 60;
     static final int LAST_SYSTEM_ID = 65_535;
     private static final int MOST = 2_000;
@@ -48,7 +48,7 @@ public final class RobotKeyService {
     private final Supplier<DroneId> newIds;
 
     /** The links that end with a key, the drones that robots are, and whose they are. */
-    public record Dependencies(VehicleEndpointGateway links, CloudManager cloud, OrganisationService organisations) {}
+    record Dependencies(VehicleEndpointGateway links, CloudManager cloud, OrganisationService organisations) {}
 
     /**
      * A key for a robot that is still to come, or a new one for one that has one.
@@ -59,7 +59,7 @@ public final class RobotKeyService {
      * @param drone whose key is to be replaced; without, it becomes a new drone
      */
     @Schema(name = "RobotKeyRequest")
-    public record RobotKeyRequest(
+    record RobotKeyRequest(
             @Size(min = 1, max = RobotKeyService.LONGEST_LABEL) @Nullable
             String label,
 
@@ -79,7 +79,7 @@ public final class RobotKeyService {
      * @param key once, in the answer that made it
      */
     @Schema(name = "RobotKeyView")
-    public record RobotKeyView(
+    record RobotKeyView(
             String id,
             String label,
             int systemId,
@@ -96,7 +96,7 @@ public final class RobotKeyService {
         }
     }
 
-    public RobotKeyService(
+    RobotKeyService(
             RobotKeyRing ring, Dependencies around, SecretGenerator secrets, Clock clock, Supplier<DroneId> newIds) {
         this.ring = ring;
         this.around = around;
@@ -105,7 +105,7 @@ public final class RobotKeyService {
         this.newIds = newIds;
     }
 
-    public List<RobotKeyView> keys(Principal principal) {
+    List<RobotKeyView> keys(Principal principal) {
         RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         return ring.keys().stream()
                 .filter(key -> isShownTo(principal, key))
@@ -113,7 +113,7 @@ public final class RobotKeyService {
                 .toList();
     }
 
-    public RobotKeyView issue(Principal principal, RobotKeyRequest request) {
+    RobotKeyView issue(Principal principal, RobotKeyRequest request) {
         RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         String drone = request.drone();
         RobotKey before = drone == null ? null : find(principal, drone);
@@ -182,7 +182,7 @@ public final class RobotKeyService {
     }
 
     /** The robot's links end at once, and whoever shows the key from then on is turned away. */
-    public void revoke(Principal principal, String id) {
+    void revoke(Principal principal, String id) {
         RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         DroneId drone = find(principal, id).drone();
         if (!ring.remove(drone)) {

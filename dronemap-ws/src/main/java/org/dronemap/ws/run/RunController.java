@@ -33,7 +33,7 @@ import org.springframework.web.bind.annotation.RestController;
                 "Plans that the cloud has drones fly: it watches them, shares out anew what a lost drone leaves, takes new"
                         + " and moved waypoints, and explains each decision. A run survives its user's departure and restarts"
                         + " of the server.")
-public class RunController {
+class RunController {
     private final RunService runs;
     private final RunJournalService journals;
     private final CurrentPrincipal current;
@@ -42,7 +42,7 @@ public class RunController {
     @Schema(name = "RunList")
     public record RunList(List<RunView> runs) {}
 
-    public RunController(RunService runs, RunJournalService journals, CurrentPrincipal current) {
+    RunController(RunService runs, RunJournalService journals, CurrentPrincipal current) {
         this.runs = runs;
         this.journals = journals;
         this.current = current;

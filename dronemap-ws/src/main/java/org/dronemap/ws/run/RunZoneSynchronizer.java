@@ -1,6 +1,7 @@
 package org.dronemap.ws.run;
 
 import java.time.Clock;
+import java.time.Duration;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
 import java.util.HashSet;
@@ -15,9 +16,11 @@ import org.dronemap.core.conduct.Operations;
 import org.dronemap.core.conduct.Operations.Snapshot;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationKind;
+import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.Zone;
 import org.dronemap.core.zone.ZoneRegistry;
 import org.dronemap.ws.plan.PlanBarriers;
+import org.dronemap.ws.schedule.PeriodicTask;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -28,6 +31,8 @@ import org.slf4j.LoggerFactory;
 public final class RunZoneSynchronizer {
     private static final Logger LOG = LoggerFactory.getLogger(RunZoneSynchronizer.class);
 
+    private static final Duration RHYTHM = Duration.ofMillis(500);
+
     private final Operations operations;
     private final OperationKind<RunState, RunInput> kind;
     private final ZoneRegistry book;
@@ -37,16 +42,26 @@ public final class RunZoneSynchronizer {
 
     private record Notice(OperationId run, Barrier barrier) {}
 
-    public RunZoneSynchronizer(
-            Operations operations, OperationKind<RunState, RunInput> kind, ZoneRegistry book, Clock clock) {
-        this.operations = operations;
-        this.kind = kind;
-        this.book = book;
+    private RunZoneSynchronizer(RunService.OperationContext context, Clock clock) {
+        this.operations = context.operations();
+        this.kind = context.kind();
+        this.book = context.cloud().zones();
         this.clock = clock;
     }
 
+    /** Synchronizes all runs twice a second, until it is closed. */
+    public static PeriodicTask start(RunService.OperationContext context, Time time) {
+        RunZoneSynchronizer zones = new RunZoneSynchronizer(context, time.clock());
+        return new PeriodicTask(
+                time,
+                "run-zones",
+                RHYTHM,
+                zones::synchronize,
+                "Not every mission run could be told of the zones; it is tried again");
+    }
+
     /** Compares what binds now with what each run keeps to, so that it does not matter when, and over which restart, it came. */
-    public void synchronize() {
+    private void synchronize() {
         List<Snapshot<RunState>> runs = operations.underWay(kind);
         refused.removeIf(one -> runs.stream().noneMatch(run -> run.saved().id().equals(one.run())));
         runs.forEach(this::synchronize);

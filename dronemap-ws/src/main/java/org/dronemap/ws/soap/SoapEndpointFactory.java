@@ -7,11 +7,11 @@ import org.apache.cxf.Bus;
 import org.apache.cxf.jaxws.EndpointImpl;
 
 /** Publishes a SOAP service on the CXF bus, with limits on the XML that it reads. */
-public final class SoapEndpointFactory {
+final class SoapEndpointFactory {
     private SoapEndpointFactory() {}
 
     /** At {@code /name}; takes SOAP 1.1 and 1.2 and answers alike. */
-    public static EndpointImpl publish(Bus bus, String name, SoapCallExecutor calls) {
+    static EndpointImpl publish(Bus bus, String name, SoapCallExecutor calls) {
         // the library itself sets no bound on elements and characters
         bus.setProperty("org.apache.cxf.stax.maxElementCount", 20_000L);
         bus.setProperty("org.apache.cxf.stax.maxChildElements", 5_000);

@@ -27,7 +27,6 @@ import org.dronemap.ws.drone.DroneViewMapper;
 import org.dronemap.ws.follow.FollowService;
 import org.dronemap.ws.plan.PlanJob;
 import org.dronemap.ws.plan.PlanJobExecutor;
-import org.dronemap.ws.plan.PlanListener;
 import org.dronemap.ws.plan.PlanService;
 import org.dronemap.ws.plan.PlanViewMapper;
 import org.dronemap.ws.run.RunService;
@@ -178,7 +177,8 @@ final class StreamTopics {
                 feed -> desk.addListener(new PlanUpdates(desk, feed)));
     }
 
-    private record PlanUpdates(PlanJobExecutor jobs, StreamTopicSink<PlanJob> feed) implements PlanListener {
+    private record PlanUpdates(PlanJobExecutor jobs, StreamTopicSink<PlanJob> feed)
+            implements PlanJobExecutor.PlanListener {
         @Override
         public void changed(PlanJob job) {
             feed.changed(job.id(), () -> jobs.find(job.id()));

@@ -21,11 +21,11 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1/backup")
 @Tag(name = "Server")
-public class BackupController {
+class BackupController {
     private final BackupService backups;
     private final CurrentPrincipal current;
 
-    public BackupController(BackupService backups, CurrentPrincipal current) {
+    BackupController(BackupService backups, CurrentPrincipal current) {
         this.backups = backups;
         this.current = current;
     }

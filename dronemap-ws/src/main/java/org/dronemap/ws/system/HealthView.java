@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * @param refusedPeers so many peers, whose messages it was at when it ended, are not heard
  */
 @Schema(name = "HealthView")
-public record HealthView(
+record HealthView(
         String status,
         String database,
         String links,

@@ -18,13 +18,13 @@ import org.springframework.web.bind.annotation.RestController;
 /** Serves metrics of the server for Prometheus; a viewer's access key for all drones is enough. */
 @RestController
 @Hidden
-public class MetricsController {
+class MetricsController {
     private static final PrometheusTextFormatWriter WRITER = PrometheusTextFormatWriter.create();
 
     private final ServerMetrics metrics;
     private final CurrentPrincipal current;
 
-    public MetricsController(ServerMetrics metrics, CurrentPrincipal current) {
+    MetricsController(ServerMetrics metrics, CurrentPrincipal current) {
         this.metrics = metrics;
         this.current = current;
     }

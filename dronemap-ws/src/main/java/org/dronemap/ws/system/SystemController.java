@@ -16,12 +16,12 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1")
 @Tag(name = "Server", description = "Health and settings.")
-public class SystemController {
+class SystemController {
     private final SystemService system;
     private final HistoryStatusService history;
     private final CurrentPrincipal current;
 
-    public SystemController(SystemService system, HistoryStatusService history, CurrentPrincipal current) {
+    SystemController(SystemService system, HistoryStatusService history, CurrentPrincipal current) {
         this.system = system;
         this.history = history;
         this.current = current;

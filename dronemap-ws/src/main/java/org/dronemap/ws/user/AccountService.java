@@ -18,7 +18,7 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
 /** Lets users change their own password and sign out of their sessions. Any thread. */
-public final class AccountService {
+final class AccountService {
     private final AccessStore store;
     private final AccountChanges accounts;
     private final PasswordHashing passwords;
@@ -27,13 +27,13 @@ public final class AccountService {
 
     /** A change of one's own password. */
     @Schema(name = "PasswordRequest")
-    public record PasswordRequest(
+    record PasswordRequest(
             @Nullable String current,
 
             @Size(min = PasswordRule.SHORTEST, max = PasswordRule.LONGEST) @Nullable
             String next) {}
 
-    public AccountService(
+    AccountService(
             AccessStore store,
             AccountChanges accounts,
             PasswordHashing passwords,
@@ -47,7 +47,7 @@ public final class AccountService {
     }
 
     /** Ends every session of the user but the one kept. {@code address}: where it is asked for. */
-    public void changePassword(Principal principal, String keepTokenHash, PasswordRequest request, String address) {
+    void changePassword(Principal principal, String keepTokenHash, PasswordRequest request, String address) {
         User user = store.user(principal.name())
                 .orElseThrow(() -> Rejection.of(
                         AccessProblem.NO_OWN_ACCOUNT, "Only a user who signed in by password has one to change."));
@@ -80,12 +80,12 @@ public final class AccountService {
     }
 
     /** One session of the user has just ended: its open streams are told, and closed. */
-    public void signedOut(Principal principal) {
+    void signedOut(Principal principal) {
         accounts.notifyListeners(principal.name());
     }
 
     /** Ends every session of the user, this one, too, with their open streams; access keys stay. */
-    public void signOutEverywhere(Principal principal) {
+    void signOutEverywhere(Principal principal) {
         if (store.user(principal.name())
                 .filter(user -> !isLimited(principal, user))
                 .isEmpty()) {

@@ -24,7 +24,7 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1/invitations")
 @Tag(name = "Invitations", description = "Let one person make an account without waiting; for administrators.")
-public class InvitationController {
+class InvitationController {
     private final InvitationService invitations;
     private final CurrentPrincipal current;
 
@@ -32,7 +32,7 @@ public class InvitationController {
     @Schema(name = "Invitations")
     public record Invitations(List<InvitationService.InvitationView> invitations) {}
 
-    public InvitationController(InvitationService invitations, CurrentPrincipal current) {
+    InvitationController(InvitationService invitations, CurrentPrincipal current) {
         this.invitations = invitations;
         this.current = current;
     }

@@ -30,7 +30,7 @@ import org.dronemap.ws.reading.WireNames;
 import org.jspecify.annotations.Nullable;
 
 /** Creates, lists and withdraws invitations to make an account, for administrators. Any thread. */
-public final class InvitationService {
+final class InvitationService {
     private static final int DEFAULT_DAYS = 7;
     static final int MOST_DAYS = 30;
     private static final int MOST_OPEN = 500;
@@ -46,7 +46,7 @@ public final class InvitationService {
      * organisation.
      */
     @Schema(name = "NewInvitation")
-    public record NewInvitation(
+    record NewInvitation(
             @Size(min = 1, max = InvitationService.LONGEST_LABEL) @Nullable
             String label,
 
@@ -63,7 +63,7 @@ public final class InvitationService {
      * @param code there once, in the answer that made it
      */
     @Schema(name = "InvitationView")
-    public record InvitationView(
+    record InvitationView(
             String id,
             String label,
             @EnumValues(Role.class) String role,
@@ -71,15 +71,14 @@ public final class InvitationService {
             Instant expiresAt,
             @Nullable String code) {}
 
-    public InvitationService(
-            AccessStore store, OrganisationService organisations, SecretGenerator secrets, Clock clock) {
+    InvitationService(AccessStore store, OrganisationService organisations, SecretGenerator secrets, Clock clock) {
         this.organisations = organisations;
         this.store = store;
         this.secrets = secrets;
         this.clock = clock;
     }
 
-    public List<InvitationView> invitations(Principal principal) {
+    List<InvitationView> invitations(Principal principal) {
         RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         return store.invitations(clock.instant()).stream()
                 .filter(invitation -> isShownTo(principal, invitation))
@@ -87,7 +86,7 @@ public final class InvitationService {
                 .toList();
     }
 
-    public InvitationView invite(Principal principal, NewInvitation request) {
+    InvitationView invite(Principal principal, NewInvitation request) {
         RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         String label = NameRules.checked("label", request.label(), LONGEST_LABEL);
         Role role = RoleChecks.named(request.role());
@@ -126,7 +125,7 @@ public final class InvitationService {
         return view(invitation, code);
     }
 
-    public void withdraw(Principal principal, String id) {
+    void withdraw(Principal principal, String id) {
         RoleChecks.requireForAll(principal, Role.ADMINISTRATOR);
         boolean shown = store.invitations(clock.instant()).stream()
                 .anyMatch(invitation -> invitation.id().equals(id) && isShownTo(principal, invitation));

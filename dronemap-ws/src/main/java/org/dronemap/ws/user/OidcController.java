@@ -37,14 +37,14 @@ import org.springframework.web.util.WebUtils;
 @RestController
 @RequestMapping("/api/v1/session/oidc")
 @Tag(name = "Session")
-public class OidcController {
+class OidcController {
     private static final String COOKIE = "dronemap-oidc";
     private static final String PATH = "/api/v1/session/oidc";
     private static final Duration LONGEST = Duration.ofMinutes(10);
 
     private final Optional<OidcSignIn> signIn;
 
-    public OidcController(Optional<OidcSignIn> signIn) {
+    OidcController(Optional<OidcSignIn> signIn) {
         this.signIn = signIn;
     }
 

@@ -25,7 +25,7 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1/registrations")
 @Tag(name = "Registration", description = "Make an account of one's own, by invitation or to wait for approval.")
-public class RegistrationController {
+class RegistrationController {
     private final RegistrationService registrations;
 
     private final Optional<OidcSignIn> oidc;
@@ -41,7 +41,7 @@ public class RegistrationController {
             @EnumValues(RegistrationPolicy.class) String policy,
             @Nullable String signInWith) {}
 
-    public RegistrationController(RegistrationService registrations, Optional<OidcSignIn> oidc) {
+    RegistrationController(RegistrationService registrations, Optional<OidcSignIn> oidc) {
         this.oidc = oidc;
         this.registrations = registrations;
     }

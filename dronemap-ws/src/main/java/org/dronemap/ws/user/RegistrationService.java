@@ -32,7 +32,7 @@ import org.jspecify.annotations.Nullable;
  * Lets people who are not yet users make an account for themselves, as the registration policy allows. The only use
  * case for people whom nobody knows yet. Any thread.
  */
-public final class RegistrationService {
+final class RegistrationService {
     private static final int MOST_WAITING = 200;
     private static final int TIMES = 10;
     private static final Duration WITHIN = Duration.ofMinutes(10);
@@ -47,7 +47,7 @@ public final class RegistrationService {
 
     /** Request of a person to register; the invitation is the code from its link. */
     @Schema(name = "RegistrationRequest")
-    public record Request(
+    record Request(
             @Nullable String name,
 
             @Size(min = PasswordRule.SHORTEST, max = PasswordRule.LONGEST) @Nullable
@@ -57,12 +57,12 @@ public final class RegistrationService {
 
     /** Result of a registration: {@code active}, or {@code waiting} for an administrator. */
     @Schema(name = "RegistrationAnswer")
-    public record Answer(
+    record Answer(
             String name,
             @EnumValues(Role.class) String role,
             @Schema(allowableValues = {"active", "waiting"}) String state) {}
 
-    public RegistrationService(
+    RegistrationService(
             AccessStore store,
             AccountChanges accounts,
             PasswordHashing passwords,
@@ -79,11 +79,11 @@ public final class RegistrationService {
     }
 
     /** Whether and how a page should offer it. */
-    public String policyName() {
+    String policyName() {
         return WireNames.camel(policy);
     }
 
-    public Answer register(Request request, String address) {
+    Answer register(Request request, String address) {
         if (policy == RegistrationPolicy.OFF) {
             throw Rejection.of(
                     AccessProblem.REGISTRATION_CLOSED,

@@ -27,12 +27,12 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1/session")
 @Tag(name = "Session", description = "Sign in by name and password; the answer's cookie is the session.")
-public class SessionController {
+class SessionController {
     private final CallerAuthenticator authentication;
     private final AccountService account;
     private final CurrentPrincipal current;
 
-    public SessionController(CallerAuthenticator authentication, AccountService account, CurrentPrincipal current) {
+    SessionController(CallerAuthenticator authentication, AccountService account, CurrentPrincipal current) {
         this.authentication = authentication;
         this.account = account;
         this.current = current;

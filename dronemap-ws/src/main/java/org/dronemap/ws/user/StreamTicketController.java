@@ -17,7 +17,7 @@ import org.springframework.web.bind.annotation.RestController;
 @RestController
 @RequestMapping("/api/v1/stream-tickets")
 @Tag(name = "Stream", description = "States and commands as they change, over a WebSocket on the stream port.")
-public class StreamTicketController {
+class StreamTicketController {
     private final StreamTickets tickets;
     private final CurrentPrincipal current;
 
@@ -25,7 +25,7 @@ public class StreamTicketController {
     @Schema(name = "StreamTicket")
     public record Ticket(String ticket) {}
 
-    public StreamTicketController(StreamTickets tickets, CurrentPrincipal current) {
+    StreamTicketController(StreamTickets tickets, CurrentPrincipal current) {
         this.tickets = tickets;
         this.current = current;
     }

@@ -8,7 +8,6 @@ import org.dronemap.ws.access.Access;
 import org.dronemap.ws.access.AccessLevel;
 import org.dronemap.ws.access.ResourceScope;
 import org.dronemap.ws.http.ResponseStatuses;
-import org.dronemap.ws.key.AccessKeyController;
 import org.dronemap.ws.key.AccessKeyService;
 import org.dronemap.ws.security.CurrentPrincipal;
 import org.springframework.http.HttpStatus;
@@ -30,7 +29,7 @@ import org.springframework.web.bind.annotation.RestController;
         name = "Users",
         description = "Who may come in, and as what; for administrators. A change takes effect at once,"
                 + " on open streams as well.")
-public class UserController {
+class UserController {
     private final UserService users;
     private final AccessKeyService keys;
     private final CurrentPrincipal current;
@@ -39,7 +38,7 @@ public class UserController {
     @Schema(name = "Users")
     public record Users(List<UserView> users) {}
 
-    public UserController(UserService users, AccessKeyService keys, CurrentPrincipal current) {
+    UserController(UserService users, AccessKeyService keys, CurrentPrincipal current) {
         this.users = users;
         this.keys = keys;
         this.current = current;
@@ -105,8 +104,8 @@ public class UserController {
             operationId = "listUserAccessKeys",
             summary = "List a user's access keys",
             description = "What they may do and when they were last used.")
-    public AccessKeyController.Keys accessKeys(@PathVariable String name) {
-        return new AccessKeyController.Keys(keys.keysOf(current.principal(), name));
+    public AccessKeyService.Keys accessKeys(@PathVariable String name) {
+        return new AccessKeyService.Keys(keys.keysOf(current.principal(), name));
     }
 
     @DeleteMapping("/{name}/access-keys/{id}")

@@ -9,7 +9,7 @@ import org.dronemap.ws.reading.WireNames;
 
 /** A user as administrators see it; {@code onlyGranted}: sees no drone by the role alone. */
 @Schema(name = "UserView")
-public record UserView(
+record UserView(
         String name,
         @EnumValues(Role.class) String role,
         @EnumValues(AccountState.class) String state,

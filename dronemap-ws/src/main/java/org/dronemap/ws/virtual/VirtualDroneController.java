@@ -30,7 +30,7 @@ import org.springframework.web.bind.annotation.RestController;
         name = "Virtual drones",
         description = "Planned without a drone; when the mission is started the cloud chooses the best drone of the"
                 + " warehouse that is free, says why, and lets others wait in the order in which they asked.")
-public class VirtualDroneController {
+class VirtualDroneController {
     private final VirtualDroneService virtuals;
     private final CurrentPrincipal current;
 
@@ -38,7 +38,7 @@ public class VirtualDroneController {
     @Schema(name = "VirtualDroneList")
     public record VirtualDroneList(List<VirtualDroneView> virtualDrones) {}
 
-    public VirtualDroneController(VirtualDroneService virtuals, CurrentPrincipal current) {
+    VirtualDroneController(VirtualDroneService virtuals, CurrentPrincipal current) {
         this.virtuals = virtuals;
         this.current = current;
     }

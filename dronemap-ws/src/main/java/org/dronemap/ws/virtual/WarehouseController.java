@@ -22,11 +22,11 @@ import org.springframework.web.bind.annotation.RestController;
         name = "Warehouse",
         description = "Drones that may be armed and flown for virtual ones with nobody beside them; no drone is in it"
                 + " until a supervisor puts it there.")
-public class WarehouseController {
+class WarehouseController {
     private final WarehouseService warehouse;
     private final CurrentPrincipal current;
 
-    public WarehouseController(WarehouseService warehouse, CurrentPrincipal current) {
+    WarehouseController(WarehouseService warehouse, CurrentPrincipal current) {
         this.warehouse = warehouse;
         this.current = current;
     }

@@ -11,7 +11,7 @@ import org.springframework.web.servlet.mvc.method.annotation.RequestMappingHandl
 
 /** Spring configuration of the access rules of REST handlers; the start fails if one declares none. */
 @Configuration(proxyBeanMethods = false)
-public class AccessConfiguration {
+class AccessConfiguration {
     @Bean
     RestOperations restOperations(ObjectProvider<RequestMappingHandlerMapping> dispatcher) {
         return new RestOperations(() -> dispatcher.getObject().getHandlerMethods());

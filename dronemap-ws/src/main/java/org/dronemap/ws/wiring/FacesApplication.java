@@ -8,10 +8,14 @@ import org.springframework.context.annotation.ComponentScan;
 import org.springframework.context.annotation.Configuration;
 
 /**
- * Spring Boot application of the web server with all faces, made from the configurations of this package. Wants a
- * {@link ServerComponents} and {@link ServerSettings} in its context.
+ * Spring Boot application of the web server with all faces, made from the configurations of this package and of
+ * all rooms. Wants a {@link ServerComponents} and {@link ServerSettings} in its context.
  */
 @SpringBootConfiguration(proxyBeanMethods = false)
 @EnableAutoConfiguration
-@ComponentScan(useDefaultFilters = false, includeFilters = @ComponentScan.Filter(Configuration.class))
+@ComponentScan(
+        basePackages = "org.dronemap.ws",
+        resourcePattern = "*/*Configuration.class",
+        useDefaultFilters = false,
+        includeFilters = @ComponentScan.Filter(Configuration.class))
 public class FacesApplication {}

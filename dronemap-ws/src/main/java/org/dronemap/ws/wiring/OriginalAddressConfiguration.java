@@ -18,7 +18,7 @@ import org.springframework.core.Ordered;
 
 /** Spring configuration that opens the ports of the original Dronemap Planner if the settings ask for them. */
 @Configuration(proxyBeanMethods = false)
-public class OriginalAddressConfiguration {
+class OriginalAddressConfiguration {
     @Bean
     WebServerFactoryCustomizer<TomcatServletWebServerFactory> originalPorts(ServerSettings settings) {
         return factory -> {

@@ -3,6 +3,7 @@ package org.dronemap.ws.wiring;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Supplier;
 import org.dronemap.proxy.endpoint.BoundedWebSocketFactory;
 import org.dronemap.ws.budget.Budgets;
 import org.dronemap.ws.budget.WorkKind;
@@ -12,7 +13,7 @@ import org.dronemap.ws.stream.StreamClientRegistry;
 import org.dronemap.ws.system.ServerMetrics;
 
 /** Counts, for the metrics, what rate and connection limits have refused to clients. Any thread. */
-final class ProtectionCounters {
+final class ProtectionCounters implements Supplier<ServerMetrics.Refusals> {
     private final Budgets budgets;
     private final HostConcurrencyFilter crowd;
     private final BoundedWebSocketFactory streamDoor;
@@ -35,7 +36,8 @@ final class ProtectionCounters {
         web.set(protocol);
     }
 
-    ServerMetrics.Refusals refusals() {
+    @Override
+    public ServerMetrics.Refusals get() {
         Map<WorkKind, Long> work = new EnumMap<>(WorkKind.class);
         for (WorkKind kind : WorkKind.values()) {
             work.put(kind, budgets.refusedCount(kind));

@@ -6,18 +6,7 @@ import java.util.Map;
 import org.dronemap.core.audit.AuditRecorder;
 import org.dronemap.proxy.endpoint.BoundedWebSocketFactory;
 import org.dronemap.ws.access.RestOperations;
-import org.dronemap.ws.audit.AuditController;
 import org.dronemap.ws.budget.Budgets;
-import org.dronemap.ws.command.BroadcastController;
-import org.dronemap.ws.command.CommandController;
-import org.dronemap.ws.control.ControlController;
-import org.dronemap.ws.drone.DroneController;
-import org.dronemap.ws.drone.SensingController;
-import org.dronemap.ws.drone.UnrestoredParameterController;
-import org.dronemap.ws.enrol.EnrolmentController;
-import org.dronemap.ws.fence.FenceController;
-import org.dronemap.ws.history.FlightController;
-import org.dronemap.ws.history.TelemetryController;
 import org.dronemap.ws.http.AccessLogFilter;
 import org.dronemap.ws.http.AuditBodyAdvice;
 import org.dronemap.ws.http.AuditFilter;
@@ -25,16 +14,11 @@ import org.dronemap.ws.http.FallbackErrorController;
 import org.dronemap.ws.http.ProblemAdvice;
 import org.dronemap.ws.http.SecurityHeadersFilter;
 import org.dronemap.ws.http.WebClientPages;
-import org.dronemap.ws.key.AccessKeyController;
 import org.dronemap.ws.limit.BodyLimitFilter;
 import org.dronemap.ws.limit.BoundedHttpProtocol;
 import org.dronemap.ws.limit.CanonicalUriFilter;
 import org.dronemap.ws.limit.ClientLimits;
 import org.dronemap.ws.limit.HostConcurrencyFilter;
-import org.dronemap.ws.link.EndpointController;
-import org.dronemap.ws.link.LinkSecurityController;
-import org.dronemap.ws.log.OnboardLogController;
-import org.dronemap.ws.mission.MissionController;
 import org.dronemap.ws.openapi.AlternativesSchemaCustomizer;
 import org.dronemap.ws.openapi.CommandPurposeCustomizer;
 import org.dronemap.ws.openapi.FileContentCustomizer;
@@ -44,15 +28,7 @@ import org.dronemap.ws.openapi.RecordSchemaRegistry;
 import org.dronemap.ws.openapi.SoapNameCustomizer;
 import org.dronemap.ws.openapi.StatusCustomizer;
 import org.dronemap.ws.openapi.StreamDescriptionHandler;
-import org.dronemap.ws.organisation.GrantController;
-import org.dronemap.ws.organisation.GroupController;
-import org.dronemap.ws.organisation.OrganisationController;
-import org.dronemap.ws.outlet.OutletController;
-import org.dronemap.ws.parameter.ParameterController;
 import org.dronemap.ws.reading.JsonCodec;
-import org.dronemap.ws.recording.RecordingController;
-import org.dronemap.ws.recording.ReplayController;
-import org.dronemap.ws.robotkey.RobotKeyController;
 import org.dronemap.ws.security.AccessFilter;
 import org.dronemap.ws.security.CallerAuthenticator;
 import org.dronemap.ws.security.ProblemWriter;
@@ -61,16 +37,6 @@ import org.dronemap.ws.server.BuildVersion;
 import org.dronemap.ws.settings.ServerSettings;
 import org.dronemap.ws.stream.StreamClientRegistry;
 import org.dronemap.ws.stream.description.StreamDescription;
-import org.dronemap.ws.system.BackupController;
-import org.dronemap.ws.system.MetricsController;
-import org.dronemap.ws.system.SystemController;
-import org.dronemap.ws.user.InvitationController;
-import org.dronemap.ws.user.OidcController;
-import org.dronemap.ws.user.RegistrationController;
-import org.dronemap.ws.user.SessionController;
-import org.dronemap.ws.user.StreamTicketController;
-import org.dronemap.ws.user.UserController;
-import org.dronemap.ws.zone.ZoneController;
 import org.springframework.boot.jackson.autoconfigure.JsonMapperBuilderCustomizer;
 import org.springframework.boot.tomcat.ConfigurableTomcatWebServerFactory;
 import org.springframework.boot.tomcat.servlet.TomcatServletWebServerFactory;
@@ -85,48 +51,10 @@ import org.springframework.web.servlet.config.annotation.WebMvcConfigurer;
 import org.springframework.web.servlet.handler.SimpleUrlHandlerMapping;
 import tools.jackson.databind.DeserializationFeature;
 
-/** Spring configuration of the REST face and of the servlet filters before it. */
+/** Spring configuration of the servlet filters, of the web server and of the description of REST. */
 @Configuration(proxyBeanMethods = false)
-@Import({
-    SessionController.class,
-    AccessKeyController.class,
-    AuditController.class,
-    AuditBodyAdvice.class,
-    UserController.class,
-    OidcController.class,
-    RegistrationController.class,
-    InvitationController.class,
-    OrganisationController.class,
-    GroupController.class,
-    GrantController.class,
-    DroneController.class,
-    BroadcastController.class,
-    CommandController.class,
-    ControlController.class,
-    FenceController.class,
-    FlightController.class,
-    OnboardLogController.class,
-    MissionController.class,
-    ParameterController.class,
-    BackupController.class,
-    LinkSecurityController.class,
-    OutletController.class,
-    RecordingController.class,
-    ReplayController.class,
-    EndpointController.class,
-    RobotKeyController.class,
-    MetricsController.class,
-    SensingController.class,
-    SystemController.class,
-    TelemetryController.class,
-    EnrolmentController.class,
-    UnrestoredParameterController.class,
-    ZoneController.class,
-    StreamTicketController.class,
-    ProblemAdvice.class,
-    FallbackErrorController.class
-})
-public class RestConfiguration {
+@Import({AuditBodyAdvice.class, ProblemAdvice.class, FallbackErrorController.class})
+class RestConfiguration {
     /** One for the process, as what reads records for descriptions is: a second server would take it from the first. */
     private static final RecordSchemaRegistry RECORDS = new RecordSchemaRegistry();
 

@@ -29,7 +29,7 @@ import org.springframework.web.servlet.DispatcherServlet;
 
 /** Spring configuration of the SOAP face, which is derived from the REST face. */
 @Configuration(proxyBeanMethods = false)
-public class SoapConfiguration {
+class SoapConfiguration {
     private static final String DESCRIPTION = "/api/openapi.json";
 
     /** The one bus of this server; services appear on it when they are first asked for. */

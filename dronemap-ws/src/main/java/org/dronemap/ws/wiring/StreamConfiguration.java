@@ -6,7 +6,10 @@ import java.time.Clock;
 import java.util.List;
 import java.util.function.Supplier;
 import javax.net.ssl.SSLContext;
+import org.dronemap.core.access.GrantRegistry;
 import org.dronemap.core.audit.AuditRecorder;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.time.Time;
 import org.dronemap.proxy.endpoint.BoundedWebSocketDraft;
 import org.dronemap.proxy.endpoint.BoundedWebSocketFactory;
@@ -29,7 +32,6 @@ import org.dronemap.ws.security.CallerAuthenticator;
 import org.dronemap.ws.security.StreamTickets;
 import org.dronemap.ws.server.BuildVersion;
 import org.dronemap.ws.server.ReloadableCertificate;
-import org.dronemap.ws.server.ServerComponents;
 import org.dronemap.ws.settings.ServerSettings;
 import org.dronemap.ws.stream.StreamClientRegistry;
 import org.dronemap.ws.stream.StreamFace;
@@ -44,7 +46,7 @@ import org.springframework.context.annotation.Configuration;
 
 /** Spring configuration of the WebSocket face (the stream). */
 @Configuration(proxyBeanMethods = false)
-public class StreamConfiguration {
+class StreamConfiguration {
 
     @Bean
     StreamTickets streamTickets(SecretGenerator secrets, Clock clock) {
@@ -67,9 +69,9 @@ public class StreamConfiguration {
             StreamTickets tickets,
             AccountChanges accounts,
             StreamFace.Limits bounds,
-            ServerComponents house,
-            AuditRecorder desk) {
-        return new StreamFace.AccessServices(authentication, tickets, accounts, bounds, house.grantBook(), desk);
+            GrantRegistry grants,
+            AuditRecorder audit) {
+        return new StreamFace.AccessServices(authentication, tickets, accounts, bounds, grants, audit);
     }
 
     @Bean
@@ -90,13 +92,13 @@ public class StreamConfiguration {
 
     @Bean
     StreamFace.ViewServices streamPictures(
-            ServerComponents house,
+            VirtualDrones virtuals,
             DroneViewMapper views,
             VirtualDroneViewMapper virtualViews,
             PlanJobExecutor plans,
             RunService runs,
             FollowService follows) {
-        return new StreamFace.ViewServices(views, house.virtuals(), virtualViews, plans, runs, follows);
+        return new StreamFace.ViewServices(views, virtuals, virtualViews, plans, runs, follows);
     }
 
     @Bean
@@ -112,7 +114,7 @@ public class StreamConfiguration {
 
     @Bean
     StreamFace streamFace(
-            ServerComponents house,
+            CloudManager cloud,
             StreamFace.Services services,
             ObjectProvider<StreamTopic<?>> topics,
             ServerSettings settings,
@@ -121,7 +123,7 @@ public class StreamConfiguration {
         InetSocketAddress address = new InetSocketAddress(settings.bindAddress(), settings.streamPort());
         StreamFace.Port port =
                 new StreamFace.Port(address, door, new BoundedWebSocketDraft(StreamFace.LARGEST_MESSAGE_BYTES));
-        return new StreamFace(house.cloud(), services, topics.orderedStream().toList(), port, clock);
+        return new StreamFace(cloud, services, topics.orderedStream().toList(), port, clock);
     }
 
     @Bean

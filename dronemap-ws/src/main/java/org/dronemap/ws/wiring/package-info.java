@@ -1,7 +1,7 @@
 /**
  * The composition root: the program, its Spring configuration and its ports.
  *
- * <p>Enters: what constructs use cases and faces.
+ * <p>Enters: what constructs faces, and what all rooms are given.
  *
  * <p>Never: decisions of any kind.
  */

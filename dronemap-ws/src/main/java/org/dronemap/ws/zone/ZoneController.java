@@ -30,11 +30,11 @@ import org.springframework.web.bind.annotation.RestController;
         name = "Zones",
         description = "Areas of the cloud that drones stay in or out of: every way is checked against them before it is"
                 + " sent, and flights are watched. Not the fence that a vehicle keeps itself.")
-public class ZoneController {
+class ZoneController {
     private final ZoneService zones;
     private final CurrentPrincipal current;
 
-    public ZoneController(ZoneService zones, CurrentPrincipal current) {
+    ZoneController(ZoneService zones, CurrentPrincipal current) {
         this.zones = zones;
         this.current = current;
     }

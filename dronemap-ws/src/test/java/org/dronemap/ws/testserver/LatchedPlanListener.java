@@ -2,10 +2,9 @@ package org.dronemap.ws.testserver;
 
 import org.dronemap.ws.plan.PlanJob;
 import org.dronemap.ws.plan.PlanJobExecutor;
-import org.dronemap.ws.plan.PlanListener;
 
 /** Searches for plans that begin only when a gate is open. */
-public final class LatchedPlanListener implements PlanListener {
+public final class LatchedPlanListener implements PlanJobExecutor.PlanListener {
     private final ResponseLatch gate;
 
     private LatchedPlanListener(ResponseLatch gate) {

@@ -149,6 +149,7 @@ public final class TestServer implements AutoCloseable {
         this.data = data;
         audit = auditSide();
         cloud = new CloudManager(lanes, PATIENT, time, keeping(), () -> new DroneId("drone-" + ids.incrementAndGet()));
+        cloud.zones().ownersBy(grants::owner);
         cloud.addListener(new ControlAuditListener(audit.store(), Clock.systemUTC(), grants::owner));
         recorder = startedRecorder();
         history = history();
@@ -300,11 +301,10 @@ public final class TestServer implements AutoCloseable {
     }
 
     private ServerComponents.LinkComponents linkSide() {
-        SecretBoxEncryption sealing = new SecretBoxEncryption(new SecretBox(new byte[SecretBox.SECRET_BYTES]));
         return new ServerComponents.LinkComponents(
                 links,
                 stores.links,
-                new DtlsKeyRing(stores.links, sealing),
+                new DtlsKeyRing(stores.links, new SecretBoxEncryption(new SecretBox(new byte[SecretBox.SECRET_BYTES]))),
                 robotKeys,
                 new FakeOutletGateway(),
                 () -> connected);

@@ -1,6 +1,7 @@
 package org.dronemap.ws.wiring;
 
 import java.time.Clock;
+import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.time.Time;
 import org.dronemap.ws.account.AccountChanges;
 import org.dronemap.ws.audit.AuditService;
@@ -9,6 +10,8 @@ import org.dronemap.ws.drone.DroneService;
 import org.dronemap.ws.key.AccessKeyService;
 import org.dronemap.ws.organisation.GrantChanges;
 import org.dronemap.ws.organisation.GrantService;
+import org.dronemap.ws.organisation.GroupService;
+import org.dronemap.ws.outlet.OutletGateway;
 import org.dronemap.ws.outlet.OutletService;
 import org.dronemap.ws.reading.SecretGenerator;
 import org.dronemap.ws.server.ServerComponents;
@@ -25,19 +28,19 @@ public final class SteppedAccountServices {
     private final AccessKeyService keys;
 
     SteppedAccountServices(ServerComponents house, DroneService drones, Time time, ShutdownSequence closing) {
-        ServiceConfiguration services = new ServiceConfiguration();
-        GrantConfiguration granting = new GrantConfiguration();
         Clock clock = time.clock();
-        SecretGenerator secrets = services.secrets();
-        AccountChanges accounts = services.accounts(house);
-        GrantChanges changes = granting.grantChanges(house);
-        closing.add("the grants", granting.grantRounds(house));
-        users = services.userService(house, accounts, house.passwords(), secrets, changes);
-        grants = granting.grantService(house, changes, granting.groupService(house, changes, drones), clock);
-        control = services.controlService(house, drones, accounts);
-        outlet = services.outletService(house, accounts, secrets);
-        audit = services.auditService(house);
-        keys = services.accessKeyService(house, accounts, secrets, clock);
+        SecretGenerator secrets = new SecretGenerator();
+        AccessStore access = house.access();
+        AccountChanges accounts = new AccountChanges(access);
+        GrantChanges changes = new GrantChanges(house.grants(), house.grantBook());
+        closing.add("the grants", changes.announceRegularly(time));
+        users = new UserService(access, accounts, house.passwords(), secrets, changes);
+        grants = new GrantService(changes, access, new GroupService(changes, access, drones), clock);
+        OutletGateway gateway = house.links().outlet();
+        control = new ControlService(house.cloud(), drones, access, accounts, house.grantBook(), gateway);
+        outlet = new OutletService(gateway, access, accounts, secrets);
+        audit = new AuditService(house.audit().store(), house.audit().keeper(), house.audit()::verify);
+        keys = new AccessKeyService(access, accounts, secrets, clock);
     }
 
     public UserService users() {

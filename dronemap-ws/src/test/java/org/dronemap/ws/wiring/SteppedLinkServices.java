@@ -1,5 +1,7 @@
 package org.dronemap.ws.wiring;
 
+import java.time.Clock;
+import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.store.parquet.ParquetTrackWriter;
 import org.dronemap.ws.drone.DroneService;
 import org.dronemap.ws.drone.DroneViewMapper;
@@ -12,6 +14,7 @@ import org.dronemap.ws.link.LinkSecurityService;
 import org.dronemap.ws.organisation.GrantChanges;
 import org.dronemap.ws.organisation.OrganisationService;
 import org.dronemap.ws.recording.RecordingService;
+import org.dronemap.ws.recording.ReplayOwners;
 import org.dronemap.ws.recording.ReplayService;
 import org.dronemap.ws.recording.TlogExporter;
 import org.dronemap.ws.server.ServerComponents;
@@ -35,25 +38,25 @@ public record SteppedLinkServices(
             DroneService drones,
             DroneViewMapper views,
             ZoneService zones) {
-        ServiceConfiguration services = new ServiceConfiguration();
-        GrantConfiguration granting = new GrantConfiguration();
-        GrantChanges grants = granting.grantChanges(house);
-        OrganisationService organisations =
-                granting.organisationService(house, grants, zones, house.time().clock());
-        ReplayService replays = services.replayService(house, granting.replayOwners(house), settings);
-        FlightService flights = services.flightService(house);
+        Clock clock = house.time().clock();
+        CloudManager cloud = house.cloud();
+        GrantChanges grants = new GrantChanges(house.grants(), house.grantBook());
+        OrganisationService organisations = new OrganisationService(grants, house.access(), cloud, zones, clock);
+        ReplayOwners owners = ReplayOwners.of(house.grantBook(), cloud);
+        ReplayService replays = new ReplayService(house.recordings(), owners, settings.dataDirectory());
+        FlightService flights = new FlightService(house.history().flights(), house.archive());
         return new SteppedLinkServices(
-                services.linkSecurityService(house, drones),
-                services.waitingService(house, views, organisations),
-                services.recordingService(house, replays),
+                new LinkSecurityService(house.linkSecurity(), drones, house.time()),
+                new EnrolmentService(cloud, views, organisations),
+                new RecordingService(house.archive(), replays),
                 replays,
                 flights,
-                services.telemetryService(house, drones, flights, house.time().clock()),
+                new TelemetryService(house.history().telemetry(), drones, flights, clock),
                 new TelemetryExporter(
                         house.history().telemetry(),
                         new TlogExporter(house.archive()),
                         new ParquetTrackWriter(),
                         settings.dataDirectory()),
-                services.dtlsKeyService(house, house.time().clock()));
+                new DtlsKeyService(house.links().keys(), house.links().vehicles(), cloud, clock));
     }
 }

@@ -26,6 +26,7 @@ import org.dronemap.ws.drone.DroneViewMapper;
 import org.dronemap.ws.fence.FenceService;
 import org.dronemap.ws.follow.FollowReliefScheduler;
 import org.dronemap.ws.follow.FollowService;
+import org.dronemap.ws.follow.OwnerRightsCache;
 import org.dronemap.ws.limit.ClientLimits;
 import org.dronemap.ws.log.OnboardLogArchive;
 import org.dronemap.ws.log.OnboardLogService;
@@ -34,6 +35,8 @@ import org.dronemap.ws.plan.PlanJobExecutor;
 import org.dronemap.ws.plan.PlanService;
 import org.dronemap.ws.run.RunJournalService;
 import org.dronemap.ws.run.RunService;
+import org.dronemap.ws.run.RunZoneSynchronizer;
+import org.dronemap.ws.server.OperationComponents;
 import org.dronemap.ws.server.ServerBuilder;
 import org.dronemap.ws.server.ServerComponents;
 import org.dronemap.ws.server.ShutdownSequence;
@@ -87,40 +90,52 @@ public final class SteppedServer implements AutoCloseable {
         Path data = settings.dataDirectory();
         builder = new ServerBuilder(settings, closing, time, beginning);
         house = builder.open(stores);
+        CloudManager cloud = house.cloud();
         Budgets budgets = new Budgets(BudgetRates.UNBOUNDED, time::nanos);
-        DronePlaceNames places = new DronePlaceNames(point -> null);
-        DroneViewMapper shown =
-                new DroneViewMapper(places, house.cloud().controls(), house.cloud()::sensed, house.cloud()::cloudLoss);
-        drones = new DroneService(house.cloud(), shown);
-        commands = new ServiceConfiguration().commandService(house, drones, budgets);
-        steering = new ServiceConfiguration().steeringService(house, drones, budgets);
-        zones = new ServiceConfiguration().zoneService(house, drones, time.clock());
-        PlanConfiguration planning = new PlanConfiguration();
-        PlanJobExecutor desk = planning.planJobExecutor(time);
-        closing.add("the plans", desk);
-        plans = planning.planService(house, desk, drones, commands, time);
-        RunConfiguration running = new RunConfiguration();
-        runs = running.runService(house, plans, drones, time);
-        closing.add("the zones of runs", running.runZoneRounds(house, time));
-        FollowConfiguration following = new FollowConfiguration();
-        follows = following.followService(house, time);
-        FollowReliefScheduler reliefs = following.followReliefs(house, time);
-        closing.add("the reliefs of follows", reliefs);
-        VirtualConfiguration virtual = new VirtualConfiguration();
-        VirtualDroneViewMapper views = virtual.virtualDroneViews(house);
-        virtuals = virtual.virtualDroneService(house, views, time);
-        warehouse = virtual.warehouseService(house, drones);
+        DroneViewMapper shown = views(cloud);
+        drones = new DroneService(cloud, shown);
+        commands = new CommandService(cloud, drones, budgets, time);
+        steering = new SteeringService(cloud, drones, budgets);
+        zones = new ZoneService(
+                new ZoneService.Stores(house.zones(), cloud.zones(), house.access()), drones, time.clock());
+        PlanJobExecutor jobs = new PlanJobExecutor(PlanJobExecutor.Limits.of(time.parallelism()), time);
+        closing.add("the plans", jobs);
+        plans = new PlanService(jobs, drones, commands, cloud.zones(), time);
+        OperationComponents operations = house.runs();
+        RunService.OperationContext running =
+                new RunService.OperationContext(operations.operations(), operations.kind(), cloud);
+        runs = new RunService(running, plans, drones, time);
+        closing.add("the zones of runs", RunZoneSynchronizer.start(running, time));
+        FollowService.OperationContext following =
+                new FollowService.OperationContext(operations.operations(), operations.follows(), cloud);
+        follows = new FollowService(following, house.virtuals()::warehouse, time);
+        closing.add("the reliefs of follows", reliefs(following, time));
+        VirtualDroneViewMapper views = new VirtualDroneViewMapper(cloud, house.virtuals());
+        virtuals = new VirtualDroneService(house.virtuals(), views, time);
+        warehouse = new WarehouseService(house.virtuals(), drones);
         accounts = new SteppedAccountServices(house, drones, time, closing);
-        broadcasts = new ServiceConfiguration().broadcastService(house, commands);
-        parameters = new ServiceConfiguration().parameterService(house, drones, commands);
-        fences = new ServiceConfiguration().fenceService(house, drones, commands);
+        broadcasts = new BroadcastService(cloud, commands);
+        parameters = new ParameterService(cloud, drones, commands);
+        fences = new FenceService(cloud, drones, commands, time.clock());
         OnboardLogArchive shelf = new OnboardLogArchive(data.resolve("vehicle-logs"), time);
         closing.add("the logs of vehicles", shelf);
-        logs = new ServiceConfiguration().logService(house, drones, commands, shelf);
+        logs = new OnboardLogService(cloud, drones, commands, shelf);
         office = SteppedLinkServices.of(house, settings, drones, shown, zones);
-        journals = running.runJournalService(house, runs);
+        journals = new RunJournalService(runs, operations.operations(), operations.kind());
         builder.openLinks();
         builder.serve();
+    }
+
+    private static DroneViewMapper views(CloudManager cloud) {
+        return new DroneViewMapper(
+                new DronePlaceNames(point -> null), cloud.controls(), cloud::sensed, cloud::cloudLoss);
+    }
+
+    private FollowReliefScheduler reliefs(FollowService.OperationContext context, Time time) {
+        OwnerRightsCache rights = new OwnerRightsCache(house.access(), house.grantBook(), time);
+        FollowReliefScheduler reliefs = new FollowReliefScheduler(context, house.virtuals()::warehouse, rights, time);
+        reliefs.start();
+        return reliefs;
     }
 
     /** Without secrets: those in the folder. */

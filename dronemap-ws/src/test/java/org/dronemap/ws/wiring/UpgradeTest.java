@@ -156,11 +156,9 @@ class UpgradeTest {
         ServerComponents house = now.house();
         ServerSettings settings = now.settings();
         CallerAuthenticator door = services.authentication(
-                house,
-                house.passwords(),
-                secrets,
-                services.firstPassword(house, house.passwords(), secrets, settings),
-                settings,
+                house.access(),
+                services.firstPassword(house.access(), house.passwords(), secrets, settings),
+                services.verifiers(house.passwords(), secrets, house.grantBook(), settings),
                 now.time().clock());
         String password = now.facts().required("account").required("password").stringValue();
 

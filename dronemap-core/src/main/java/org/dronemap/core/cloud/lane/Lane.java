@@ -31,7 +31,7 @@ public final class Lane implements AutoCloseable {
     private static final int AT_ONCE = 256;
 
     /** Something that wants to be called at every tick, on the lane's thread. */
-    public interface PeriodicTask {
+    public interface TimedTask {
         void advance();
 
         /** The process has stood still for longer than anybody waits; before anything else is done. */
@@ -53,7 +53,7 @@ public final class Lane implements AutoCloseable {
     private volatile boolean closed;
     // Owned by the lane's thread.
     private final ArrayDeque<Runnable> batch = new ArrayDeque<>(AT_ONCE);
-    private final List<PeriodicTask> tickers = new ArrayList<>();
+    private final List<TimedTask> tickers = new ArrayList<>();
     private long lastTickNanos;
     private volatile Turn turn;
 
@@ -87,12 +87,12 @@ public final class Lane implements AutoCloseable {
     }
 
     /** Adds a ticker; from the lane's thread only. */
-    public void addPeriodicTask(PeriodicTask ticker) {
+    public void addTimedTask(TimedTask ticker) {
         tickers.add(ticker);
     }
 
     /** Removes a ticker; from the lane's thread only. */
-    public void removePeriodicTask(PeriodicTask ticker) {
+    public void removeTimedTask(TimedTask ticker) {
         tickers.remove(ticker);
     }
 
@@ -132,10 +132,10 @@ public final class Lane implements AutoCloseable {
             // Before the task, which may judge a silence that was our own.
             noticeStall();
             guard(task);
-            runPeriodicTasksWhenDue();
+            runTimedTasksWhenDue();
         }
         noticeStall();
-        runPeriodicTasksWhenDue();
+        runTimedTasksWhenDue();
         return any ? 0 : TICK_NANOS;
     }
 
@@ -155,13 +155,13 @@ public final class Lane implements AutoCloseable {
         }
     }
 
-    private void runPeriodicTasksWhenDue() {
+    private void runTimedTasksWhenDue() {
         long gap = time.nanos() - lastTickNanos;
         if (gap < TICK_NANOS) {
             return;
         }
         lastTickNanos += gap;
-        for (PeriodicTask ticker : List.copyOf(tickers)) {
+        for (TimedTask ticker : List.copyOf(tickers)) {
             guard(ticker::advance);
         }
     }

@@ -6,7 +6,7 @@ import org.dronemap.core.cloud.lane.Lane;
 import org.dronemap.core.command.Outcome;
 
 /** Ends a command with an unknown outcome when nothing was heard of it for 90 seconds. Owned by the drone's lane. */
-public final class CommandTimeoutWatch implements Lane.PeriodicTask {
+public final class CommandTimeoutWatch implements Lane.TimedTask {
     /** No command goes without a sign for longer than this. */
     private static final long LONGEST_SILENCE_NANOS = Duration.ofSeconds(90).toNanos();
 
@@ -25,9 +25,9 @@ public final class CommandTimeoutWatch implements Lane.PeriodicTask {
     @Override
     public void advance() {
         if (command.record().outcome() != null) {
-            lane.removePeriodicTask(this);
+            lane.removeTimedTask(this);
         } else if (command.silentFor(lane.activeNanos(), LONGEST_SILENCE_NANOS)) {
-            lane.removePeriodicTask(this);
+            lane.removeTimedTask(this);
             giveUp.accept(UNHEARD);
         }
     }
@@ -37,7 +37,7 @@ public final class CommandTimeoutWatch implements Lane.PeriodicTask {
     public void stoodStill(Duration how) {
         if (command.record().outcome() == null
                 && command.command().kind().contention().newerWins()) {
-            lane.removePeriodicTask(this);
+            lane.removeTimedTask(this);
             giveUp.accept(new Outcome.Unknown("The server stood still for " + how.toSeconds()
                     + " s, so it was not gone on with; look at the drone."));
         }

@@ -69,7 +69,7 @@ class LaneTest {
     @Test
     void doesNotCountItsOwnStallAsTimeOfOthers() throws InterruptedException {
         AtomicInteger ticks = new AtomicInteger();
-        lane.execute(() -> lane.addPeriodicTask(ticks::incrementAndGet));
+        lane.execute(() -> lane.addTimedTask(ticks::incrementAndGet));
         await().until(() -> ticks.get() > 0);
         long before = lane.activeNanos();
         long wallBefore = System.nanoTime();

@@ -1,4 +1,4 @@
-package org.dronemap.ws.server;
+package org.dronemap.ws.schedule;
 
 import java.time.Duration;
 import org.dronemap.core.time.Time;
