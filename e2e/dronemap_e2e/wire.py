@@ -19,13 +19,13 @@ from .station import launch
 from .waiting import wait_for
 from .wire_clients import NEAR, Curl, call_operation, run_php, zeep_client
 from .wire_page import use_page
-from .wire_relay import ReliefTrial
+from .wire_relay import RecordingRelay
 
 CONTROLLER = "MAVLinkControllerService"
 POINT = {"waypoint": NEAR}
 
 
-def _by_curl(relay: ReliefTrial, curl: Curl) -> tuple[str, str]:
+def _by_curl(relay: RecordingRelay, curl: Curl) -> tuple[str, str]:
     first, second = wire_curl.look(curl)
     wire_curl.people(curl, first)
     wire_curl.sign_in(curl, relay)
@@ -41,7 +41,7 @@ def _by_curl(relay: ReliefTrial, curl: Curl) -> tuple[str, str]:
     return first, second
 
 
-def _by_zeep(relay: ReliefTrial, key: str, drone: str) -> None:
+def _by_zeep(relay: RecordingRelay, key: str, drone: str) -> None:
     def client(service: str, version: str = "1.1") -> Any:
         return zeep_client(relay, key, version, service)
 
@@ -90,7 +90,7 @@ def record(folder: Path) -> int:
         server.start()
         address = f"udp://127.0.0.1:{server.udp_port}"
         simulator = Simulator(work / "sim.log", address, "--count", "2", *QUICK_FLIGHT)
-        relay = ReliefTrial(server.http_port)
+        relay = RecordingRelay(server.http_port)
         try:
             key, password = server.local_key(), server.first_password()
             api = Api(server.address, key)

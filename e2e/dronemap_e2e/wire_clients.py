@@ -11,7 +11,7 @@ import zeep.exceptions
 
 from .api import Json
 from .waiting import wait_for
-from .wire_relay import ReliefTrial
+from .wire_relay import RecordingRelay
 
 PASSWORD = "a long enough one"
 NEXT_PASSWORD = "another long enough one"
@@ -24,7 +24,7 @@ PHP = Path(__file__).with_name("wire.php")
 class Curl:
     """REST as a person tries it on a command line."""
 
-    def __init__(self, relay: ReliefTrial, key: str) -> None:
+    def __init__(self, relay: RecordingRelay, key: str) -> None:
         self._relay = relay
         self._key = key
 
@@ -69,7 +69,7 @@ class Curl:
         wait_for(f"{path} is {value}", looked, 60)
 
 
-def zeep_client(relay: ReliefTrial, key: str | None, version: str, service: str) -> Any:
+def zeep_client(relay: RecordingRelay, key: str | None, version: str, service: str) -> Any:
     """`version`: of SOAP."""
     relay.client = f"zeep {version}"
     session = requests.Session()
@@ -91,7 +91,7 @@ def call_operation(service: Any, operation: str, **arguments: object) -> Any:
         return None
 
 
-def run_php(relay: ReliefTrial, key: str, version: str, drone: str) -> None:
+def run_php(relay: RecordingRelay, key: str, version: str, drone: str) -> None:
     relay.client = f"PHP {version}"
     done = subprocess.run(
         ["php", "-d", "soap.wsdl_cache_enabled=0", str(PHP), relay.address, key, version, drone],

@@ -3,7 +3,7 @@
 from .api import Json
 from .waiting import wait_for
 from .wire_clients import FAR, NEAR, NEXT_PASSWORD, PASSWORD, SQUARE, Curl
-from .wire_relay import ReliefTrial
+from .wire_relay import RecordingRelay
 
 NOBODY = "nosuchthing"
 
@@ -53,14 +53,14 @@ def command(curl: Curl, drone: str) -> None:
     curl("GET", orders + "?limit=2")
 
 
-def _wait_until_landed(curl: Curl, relay: ReliefTrial, drone: str) -> None:
+def _wait_until_landed(curl: Curl, relay: RecordingRelay, drone: str) -> None:
     """Nothing of it is kept."""
     before = len(relay.exchanges)
     wait_for("it is down", lambda: curl("GET", f"/drones/{drone}").get("armed") is False, 90)
     del relay.exchanges[before:]
 
 
-def control(curl: Curl, relay: ReliefTrial, drone: str) -> None:
+def control(curl: Curl, relay: RecordingRelay, drone: str) -> None:
     _wait_until_landed(curl, relay, drone)
     at = f"/drones/{drone}/control"
     curl("POST", at + "/take")
@@ -159,7 +159,7 @@ def plans_and_runs(curl: Curl, drone: str) -> None:
     curl("DELETE", f"/plans/{plan['id']}")
 
 
-def follows(curl: Curl, relay: ReliefTrial, drone: str) -> None:
+def follows(curl: Curl, relay: RecordingRelay, drone: str) -> None:
     _wait_until_landed(curl, relay, drone)
     here = {"latitude": 47.398, "longitude": 8.5456, "drone": drone}
     follow = curl("POST", "/follows", here | {"name": "Ann", "place": {"side": "behind", "distance": 8}})
@@ -198,7 +198,7 @@ def guess(curl: Curl) -> None:
         curl("POST", "/session", {"name": "ann", "password": "wrong"}, key=None)
 
 
-def sign_in(curl: Curl, relay: ReliefTrial) -> None:
+def sign_in(curl: Curl, relay: RecordingRelay) -> None:
     curl("POST", "/session", {"name": "ann", "password": PASSWORD}, key=None)
     cookie = "Cookie: " + relay.exchanges[-1].response_headers["Set-Cookie"].split(";")[0]
     own = "X-Dronemap: 1"

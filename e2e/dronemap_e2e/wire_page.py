@@ -7,13 +7,13 @@ from playwright.sync_api import Browser, Page, expect
 from .screen import open_page
 from .station import Pointer, Station
 from .wire_clients import NEXT_PASSWORD
-from .wire_relay import ReliefTrial
+from .wire_relay import RecordingRelay
 
 SETTLED_MILLISECONDS = 1500
 PLACES = ((-110, -120), (60, -150), (130, -110))
 
 
-def use_page(relay: ReliefTrial, browser: Browser, password: str, drone: str) -> None:
+def use_page(relay: RecordingRelay, browser: Browser, password: str, drone: str) -> None:
     page = open_page(browser)
     station = Station(page, Pointer())
     station.sign_in(relay.address, "admin", password, NEXT_PASSWORD)

@@ -27,7 +27,7 @@ class Exchange:
     answer: str
 
 
-class ReliefTrial:
+class RecordingRelay:
     """A recording HTTP relay; `client` names the client of the next requests."""
 
     def __init__(self, port: int) -> None:

@@ -180,7 +180,7 @@ def test_home_picture_and_relay_by_page(
     wait_for(
         "the picture is taken", lambda: "pictures 1 " in vehicle.simulator.payload(vehicle.system_id), 30
     )
-    page.get_by_label("ReliefTrial", exact=True).fill("3")
+    page.get_by_label("Relay", exact=True).fill("3")
     station.press("Switch")
     wait_for("it is on", lambda: vehicle.simulator.payload(vehicle.system_id).endswith("relays on: 3"), 30)
     expect(station.button("Turn")).to_have_attribute("aria-disabled", "true")
@@ -192,5 +192,5 @@ def test_home_picture_and_relay_by_page(
     page.get_by_label("Altitude above sea level (m)").fill("502")
     can_be_pressed(station.button("Set home"))
     disclose(station, "Turn, camera, relays")
-    page.get_by_label("ReliefTrial", exact=True).fill("3")
+    page.get_by_label("Relay", exact=True).fill("3")
     can_be_pressed(station.button("Take a picture"), station.button("Switch"))

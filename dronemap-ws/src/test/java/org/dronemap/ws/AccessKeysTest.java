@@ -19,6 +19,7 @@ import org.dronemap.core.drone.Position;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.FlightBounds;
 import org.dronemap.ws.testserver.ConditionWait;
@@ -283,8 +284,8 @@ class AccessKeysTest {
     void doNothingBeyondLookingWhereTheirAreaDoesNotCount() {
         KeyScope scope =
                 KeyScope.ALL.boundedBy(new FlightBounds(null, new AltitudeBand(null, 60.0, Altitude.Reference.HOME)));
-        // Of those who run the server, to whom metrics are open.
-        TestHttpClient http = new TestHttpClient(house, house.key(new KeyRights(Role.ADMINISTRATOR, scope, null)));
+        TestHttpClient http = new TestHttpClient(
+                house, house.key(OrganisationId.HOME, new KeyRights(Role.ADMINISTRATOR, scope, null)));
 
         assertThat(http.get("/api/v1/users").text("detail"))
                 .isEqualTo("This access key has an area or heights, and what has none is closed to it.");

@@ -1,16 +1,25 @@
 package org.dronemap.ws;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.net.http.HttpRequest;
+import java.time.Clock;
 import java.util.List;
+import java.util.Map;
+import org.dronemap.core.access.AccessStore;
+import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.ws.environment.EnvironmentVariables;
+import org.dronemap.ws.organisation.GrantChanges;
+import org.dronemap.ws.organisation.OrganisationService;
 import org.dronemap.ws.testserver.OrganisationMember;
 import org.dronemap.ws.testserver.ScriptedVehicle;
 import org.dronemap.ws.testserver.SharedServer;
 import org.dronemap.ws.testserver.TestHttpClient;
 import org.dronemap.ws.testserver.TestServer;
+import org.dronemap.ws.zone.ZoneService;
 import org.junit.jupiter.api.Test;
 import tools.jackson.databind.JsonNode;
 

@@ -11,6 +11,7 @@ import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.ws.testserver.SharedServer;
 import org.dronemap.ws.testserver.TestHttpClient;
 import org.dronemap.ws.testserver.TestServer;
@@ -75,7 +76,8 @@ class OwnOutletTest {
             new KeyRights(Role.OPERATOR, one, null),
             new KeyRights(Role.OPERATOR, KeyScope.ALL, Instant.parse("2100-01-01T00:00:00Z"))
         }) {
-            assertThat(set(new TestHttpClient(house, house.key(rights)), "{}").status())
+            assertThat(set(new TestHttpClient(house, house.key(OrganisationId.HOME, rights)), "{}")
+                            .status())
                     .isEqualTo(403);
         }
         assertThat(set(new TestHttpClient(house, house.key(Role.OPERATOR)), "{}")
@@ -128,7 +130,8 @@ class OwnOutletTest {
         assertThat(long25.status()).isEqualTo(422);
         assertThat(long25.json().path("field").asString("")).isEqualTo("hours");
         KeyScope one = new KeyScope(Set.of(new DroneId("drone-1")), Set.of(Permission.values()));
-        TestHttpClient bounded = new TestHttpClient(house, house.key(new KeyRights(Role.OPERATOR, one, null)));
+        TestHttpClient bounded =
+                new TestHttpClient(house, house.key(OrganisationId.HOME, new KeyRights(Role.OPERATOR, one, null)));
         assertThat(open(bounded, "{\"address\":\"192.0.2.7\"}").status()).isEqualTo(403);
     }
 }

@@ -25,7 +25,7 @@ final class RealTimeWorker implements Worker {
         this.capacity = capacity;
         thread = new ScheduledThreadPoolExecutor(1, work -> RealTime.onDuty(name, work));
         thread.setExecuteExistingDelayedTasksAfterShutdownPolicy(false);
-        thread.setContinueExistingTimedTasksAfterShutdownPolicy(false);
+        thread.setContinueExistingPeriodicTasksAfterShutdownPolicy(false);
         thread.setRemoveOnCancelPolicy(true);
         // Who has no thread learns it now, and not with the first thing to do.
         thread.prestartAllCoreThreads();

@@ -327,7 +327,6 @@ public final class TestServer implements AutoCloseable {
         return cloud;
     }
 
-    /** The ways in for vehicles, which open nothing here. */
     public FakeVehicleLinkGateway links() {
         return links;
     }
@@ -346,12 +345,7 @@ public final class TestServer implements AutoCloseable {
 
     /** An access key of a new user with this role. */
     public String key(Role role) {
-        return key(new KeyRights(role, KeyScope.ALL, null));
-    }
-
-    /** An access key with these rights, of a new user with their role. */
-    public String key(KeyRights rights) {
-        return key(OrganisationId.HOME, rights);
+        return key(OrganisationId.HOME, new KeyRights(role, KeyScope.ALL, null));
     }
 
     /** The same of a new user of that organisation. */

@@ -1,11 +1,13 @@
 package org.dronemap.ws.wiring;
 
 import java.time.Clock;
+import java.util.Map;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.store.parquet.ParquetTrackWriter;
 import org.dronemap.ws.drone.DroneService;
 import org.dronemap.ws.drone.DroneViewMapper;
 import org.dronemap.ws.enrol.EnrolmentService;
+import org.dronemap.ws.environment.EnvironmentVariables;
 import org.dronemap.ws.history.FlightService;
 import org.dronemap.ws.history.TelemetryExporter;
 import org.dronemap.ws.history.TelemetryService;
@@ -41,7 +43,8 @@ public record SteppedLinkServices(
         Clock clock = house.time().clock();
         CloudManager cloud = house.cloud();
         GrantChanges grants = new GrantChanges(house.grants(), house.grantBook());
-        OrganisationService organisations = new OrganisationService(grants, house.access(), cloud, zones, clock);
+        OrganisationService organisations = new OrganisationService(
+                grants, house.access(), cloud, zones, clock, new EnvironmentVariables(Map.of()));
         ReplayOwners owners = ReplayOwners.of(house.grantBook(), cloud);
         ReplayService replays = new ReplayService(house.recordings(), owners, settings.dataDirectory());
         FlightService flights = new FlightService(house.history().flights(), house.archive());
