@@ -13,7 +13,7 @@ public final class DedicatedServers {
     private static final List<Own> ALL = List.of(
             new Own("AccessTest", 1, "open to the network, and its first password is changed"),
             new Own("CanaryTest", 1, "looks for secrets in all that a server logs from its start to its end"),
-            new Own("SuccessfulCallTrial", 2, "signs in with a provider; two classes of tests extend it"),
+            new Own("SuccessfulCallTrial", 3, "signs in with a provider; three classes of tests extend it"),
             new Own("ExchangesTest", 1, "replays what was recorded on a server that had seen nothing before"),
             new Own("FloodTest", 1, "bounds the work of users, and wrong passwords shut its address out for a while"),
             new Own("HiddenDroneTest", 1, "looks for the words of one drone in all that a server tells"),
