@@ -55,7 +55,7 @@ final class RestResponse extends MockHttpServletResponse {
         return true;
     }
 
-    /** What a handler answered; null: that was no value. */
+    /** The answer of a handler, in parts; null: that was no value. */
     @Nullable
     List<String> xml() {
         return xml;

@@ -69,18 +69,19 @@ final class StreamTopicFeed<T> implements StreamTopicSink<T> {
                     && !publish(client, who, now, written)
                     && former != null
                     && isWithdrawn()
-                    && sight(client, who, former) != null) {
+                    && sight(client, who, topic.about().subject(former), former) != null) {
                 client.outbox().add(removal(topic.about().subject(former)));
             }
         }
     }
 
     private boolean publish(StreamClient client, Principal who, @Nullable T now, Map<Object, String> written) {
-        Object sight = now == null ? null : sight(client, who, now);
+        StreamMessageSubject subject = now == null ? null : topic.about().subject(now);
+        Object sight = now == null || subject == null ? null : sight(client, who, subject, now);
         if (now == null || sight == null) {
             return false;
         }
-        client.outbox().add(topic.about().subject(now), written.computeIfAbsent(sight, unused -> picture(now, who)));
+        client.outbox().add(subject, written.computeIfAbsent(sight, unused -> picture(now, who)));
         return true;
     }
 
@@ -187,9 +188,7 @@ final class StreamTopicFeed<T> implements StreamTopicSink<T> {
         Map<Object, String> written = new HashMap<>();
         for (StreamClient client : some) {
             Principal who = client.principal().orElse(null);
-            Object sight = who == null || !client.wants(subject)
-                    ? null
-                    : topic.audience().sight().of(who, thing);
+            Object sight = who == null ? null : sight(client, who, subject, thing);
             if (who == null || sight == null) {
                 continue;
             }
@@ -200,10 +199,8 @@ final class StreamTopicFeed<T> implements StreamTopicSink<T> {
         }
     }
 
-    private @Nullable Object sight(StreamClient client, Principal who, T thing) {
-        return client.wants(topic.about().subject(thing))
-                ? topic.audience().sight().of(who, thing)
-                : null;
+    private @Nullable Object sight(StreamClient client, Principal who, StreamMessageSubject subject, T thing) {
+        return client.wants(subject) ? topic.audience().sight().of(who, thing) : null;
     }
 
     private String picture(T thing, Principal who) {

@@ -78,7 +78,7 @@ public final class OutletClient implements RightsHolder {
         return pass;
     }
 
-    /** Whether it came in by something by which nothing is ever changed. */
+    /** True when it came in by something by which nothing is ever changed. */
     public boolean onlyLooks() {
         return pass.onlyLooks();
     }
@@ -102,12 +102,12 @@ public final class OutletClient implements RightsHolder {
         return systemId == OWN_SYSTEM ? OTHER_SYSTEM : OWN_SYSTEM;
     }
 
-    /** Whether nothing waits for it. */
+    /** True when nothing waits for it. */
     public boolean isUpToDate() {
         return outbox.isEmpty();
     }
 
-    /** Whether answers and events find room while its link takes nothing. */
+    /** True when answers and events find room while its link takes nothing. */
     public boolean hasRoom() {
         return outbox.hasRoom();
     }

@@ -15,7 +15,7 @@ public interface OutletCredential {
     @Nullable
     FrameSigner signer();
 
-    /** Whether nothing is ever changed by it, whatever its user may do. */
+    /** True when nothing is ever changed by it, whatever its user may do. */
     boolean onlyLooks();
 
     /** What of its user's rights comes along. */

@@ -191,7 +191,7 @@ public final class XmlGenerator extends GeneratorBase {
         return this;
     }
 
-    /** What is JSON already. */
+    /** Reads a value that is JSON already, and writes it. */
     @Override
     public JsonGenerator writeRawValue(String json) {
         try (JsonParser parser = mapper.createParser(json)) {

@@ -34,7 +34,7 @@ final class XmlText {
         };
     }
 
-    /** What XML 1.0 cannot carry becomes the sign for that. */
+    /** Replaces letters that XML 1.0 cannot carry by the sign for that. */
     private static String plain(String text) {
         return isPlain(text)
                 ? text
