@@ -25,7 +25,7 @@ final class RoomRules {
 
     /** From below to above. */
     static final List<String> FLOORS =
-            List.of("environment", "schedule", "problem", "reading", "budget", "account", "access", "security", "http");
+            List.of("environment", "schedule", "problem", "reading", "budget", "account", "access", "security", "http", "stream");
 
     /** From a room to those that it sees. */
     static final Map<String, Set<String>> ARROWS = Stream.of(
@@ -48,7 +48,6 @@ final class RoomRules {
                     "user: key organisation",
                     "virtual: drone mission",
                     "zone: drone",
-                    "stream: command control drone follow plan run virtual zone",
                     "settings: limit user",
                     "server: audit follow journal link outlet recording robotkey settings system")
             .map(line -> line.split(": "))
