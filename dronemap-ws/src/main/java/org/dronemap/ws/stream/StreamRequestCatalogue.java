@@ -5,7 +5,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Stream;
 import org.dronemap.ws.access.AccessLevel;
 import org.dronemap.ws.access.AuditPolicy;
 import org.dronemap.ws.access.RequestCost;
@@ -52,20 +51,21 @@ public final class StreamRequestCatalogue {
     /** {@code operations}: in the order in which they are named to clients. The start fails where two have one name. */
     static StreamRequestCatalogue of(List<StreamOperation<?>> operations) {
         Map<String, StreamRequestType<?>> types = new LinkedHashMap<>();
-        Stream<StreamRequestType<?>> declared =
-                operations.stream().<StreamRequestType<?>>map(StreamOperation::type);
-        Stream.of(Stream.of(AUTHENTICATE), declared, Stream.of(SUBSCRIBE, PING))
-                .flatMap(some -> some)
-                .forEach(type -> {
-                    StreamRequestType<?> other = types.putIfAbsent(nameOf(type.request()), type);
-                    if (other != null) {
-                        throw new SetupException("Two requests of the stream are of the type "
-                                + nameOf(type.request()) + ": "
-                                + other.request().getName() + " and "
-                                + type.request().getName() + "; each request needs a type of its own.");
-                    }
-                });
+        add(types, AUTHENTICATE);
+        operations.forEach(operation -> add(types, operation.type()));
+        add(types, SUBSCRIBE);
+        add(types, PING);
         return new StreamRequestCatalogue(types, List.copyOf(operations));
+    }
+
+    private static void add(Map<String, StreamRequestType<?>> types, StreamRequestType<?> type) {
+        String name = nameOf(type.request());
+        StreamRequestType<?> other = types.putIfAbsent(name, type);
+        if (other != null) {
+            throw new SetupException("Two requests of the stream are of the type " + name + ": "
+                    + other.request().getName() + " and " + type.request().getName()
+                    + "; each request needs a type of its own.");
+        }
     }
 
     private static String nameOf(Class<? extends StreamRequest> request) {
