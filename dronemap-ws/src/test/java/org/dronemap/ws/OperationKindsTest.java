@@ -84,7 +84,6 @@ class OperationKindsTest {
                 .containsAll(SHOWN.values().stream().map(Shown::rest).toList());
         assertThat(faces.soap())
                 .containsAll(SHOWN.values().stream().map(Shown::soap).toList());
-        assertThat(SHOWN.values())
-                .allMatch(shown -> SHIPPED.contain("org.dronemap.ws." + shown.stream()));
+        assertThat(SHOWN.values()).allMatch(shown -> SHIPPED.contain("org.dronemap.ws." + shown.stream()));
     }
 }

@@ -24,8 +24,17 @@ final class RoomRules {
     private static final String TOP = "wiring";
 
     /** From below to above. */
-    static final List<String> FLOORS =
-            List.of("environment", "schedule", "problem", "reading", "budget", "account", "access", "security", "http", "stream");
+    static final List<String> FLOORS = List.of(
+            "environment",
+            "schedule",
+            "problem",
+            "reading",
+            "budget",
+            "account",
+            "access",
+            "security",
+            "http",
+            "stream");
 
     /** From a room to those that it sees. */
     static final Map<String, Set<String>> ARROWS = Stream.of(

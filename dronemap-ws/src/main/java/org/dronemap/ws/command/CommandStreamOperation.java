@@ -37,9 +37,7 @@ final class CommandStreamOperation {
     static StreamOperation<GiveCommand> of(CommandService commands) {
         return new StreamOperation<>(
                 new StreamRequestType<>(
-                        GiveCommand.class,
-                        new StreamAccessRule.OfOperation<>("giveCommand"),
-                        CommandAccepted.class),
+                        GiveCommand.class, new StreamAccessRule.OfOperation<>("giveCommand"), CommandAccepted.class),
                 CommandStreamOperation::note,
                 (connection, principal, request) -> submit(commands, principal, request));
     }

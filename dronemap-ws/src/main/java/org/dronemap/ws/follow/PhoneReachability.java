@@ -33,7 +33,9 @@ final class PhoneReachability implements StreamConnectionListener {
 
     /** {@code withReported}: how it was said to be reached last; null: not yet. */
     private record Phone(
-            StreamConnection client, long sentNanos, @Nullable ReporterState withReported) {
+            StreamConnection client,
+            long sentNanos,
+            @Nullable ReporterState withReported) {
         Phone withReported(ReporterState reach) {
             return new Phone(client, sentNanos, reach);
         }

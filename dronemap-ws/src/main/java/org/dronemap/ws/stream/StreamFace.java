@@ -112,9 +112,10 @@ public final class StreamFace implements AutoCloseable {
 
     /** Messages that belong to no topic: those that come first, and answers. */
     private static List<Class<? extends StreamMessage>> others(Features features) {
-        Stream<Class<? extends StreamMessage>> first = features.welcomes().stream().map(StreamWelcome::message);
-        Stream<Class<? extends StreamMessage>> answers = features.operations().stream()
-                .flatMap(operation -> operation.type().answer().stream());
+        Stream<Class<? extends StreamMessage>> first =
+                features.welcomes().stream().map(StreamWelcome::message);
+        Stream<Class<? extends StreamMessage>> answers =
+                features.operations().stream().flatMap(operation -> operation.type().answer().stream());
         return Stream.concat(first, answers).toList();
     }
 

@@ -93,8 +93,7 @@ public final class StreamRequestCatalogue {
     public RecordAlternatives alternatives() {
         Map<String, Class<?>> records = new LinkedHashMap<>();
         types.forEach((name, type) -> records.put(name, type.request()));
-        String member =
-                RecordAlternatives.of(StreamRequest.class).orElseThrow().member();
+        String member = RecordAlternatives.of(StreamRequest.class).orElseThrow().member();
         return new RecordAlternatives(member, records);
     }
 

@@ -100,8 +100,7 @@ class StreamMessageCatalogueTest {
                 newest(Unpainted.class, "drone"),
                 topic(Painted.class, "drone", new StreamTopicRate.EveryChange(), null));
 
-        assertThat(StreamMessageCatalogue.of(topics, List.of()).ofUseCases())
-                .containsOnlyKeys("unpainted", "painted");
+        assertThat(StreamMessageCatalogue.of(topics, List.of()).ofUseCases()).containsOnlyKeys("unpainted", "painted");
     }
 
     /** So that the description does not depend on who declares what. */

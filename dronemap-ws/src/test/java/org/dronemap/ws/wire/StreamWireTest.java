@@ -71,15 +71,21 @@ class StreamWireTest {
     }
 
     private static Map<String, Class<?>> requests() {
-        Map<String, Class<?>> records =
-                SharedServer.get().bean(StreamFace.class).requests().alternatives().records();
+        Map<String, Class<?>> records = SharedServer.get()
+                .bean(StreamFace.class)
+                .requests()
+                .alternatives()
+                .records();
         assertThat(records.values()).containsAll(own());
         return records;
     }
 
     /** Those that the stream carries out itself. */
     private static Collection<Class<?>> own() {
-        return RecordAlternatives.of(StreamRequest.class).orElseThrow().records().values();
+        return RecordAlternatives.of(StreamRequest.class)
+                .orElseThrow()
+                .records()
+                .values();
     }
 
     private Map<String, String> shapes(Map<String, Class<?>> records) {

@@ -87,7 +87,10 @@ public final class StreamDescription {
         channel.put("address", StreamServer.PATH);
         ObjectNode messages = channel.putObject("messages");
         said.records().values().forEach(record -> reference(messages.putObject(name(record)), message(record)));
-        requests.alternatives().records().values().forEach(record -> reference(messages.putObject(name(record)), message(record)));
+        requests.alternatives()
+                .records()
+                .values()
+                .forEach(record -> reference(messages.putObject(name(record)), message(record)));
         ObjectNode query = channel.putObject("bindings")
                 .putObject("ws")
                 .put("method", "GET")
