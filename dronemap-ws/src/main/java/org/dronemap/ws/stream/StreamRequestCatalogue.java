@@ -1,5 +1,6 @@
 package org.dronemap.ws.stream;
 
+import com.fasterxml.jackson.annotation.JsonTypeName;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -77,11 +78,14 @@ public final class StreamRequestCatalogue {
                     + " has no name for clients of the form Stream...Request, or no description: say"
                     + " @Schema(name = ..., description = ...) there.");
         }
-        return RecordAlternatives.with(request)
-                .filter(all -> all.records().containsValue(request))
-                .orElseThrow(() -> new SetupException(
-                        request.getName() + " has no type for clients: say @JsonTypeName(...) there."))
-                .nameOf(request);
+        JsonTypeName own = request.getDeclaredAnnotation(JsonTypeName.class);
+        return own != null
+                ? own.value()
+                : RecordAlternatives.with(request)
+                        .filter(all -> all.records().containsValue(request))
+                        .orElseThrow(() -> new SetupException(
+                                request.getName() + " has no type for clients: say @JsonTypeName(...) there."))
+                        .nameOf(request);
     }
 
     /** In the order in which they are named to clients. */
