@@ -29,13 +29,14 @@ class OperationKindsTest {
             .importPackages(
                     "org.dronemap.cognitive",
                     "org.dronemap.ws.journal",
-                    "org.dronemap.ws.stream",
+                    "org.dronemap.ws.run",
+                    "org.dronemap.ws.follow",
                     "org.dronemap.core.operation");
 
     /** Where each is shown: an address of REST, an operation of SOAP, a message of the stream. */
     private static final Map<String, Shown> SHOWN = Map.of(
-            "missionRun", new Shown("GET /api/v1/runs/{id}", "getRun", "RunChanged"),
-            "follow", new Shown("GET /api/v1/follows/{id}", "getFollow", "FollowChanged"));
+            "missionRun", new Shown("GET /api/v1/runs/{id}", "getRun", "run.RunStreamTopic$RunChanged"),
+            "follow", new Shown("GET /api/v1/follows/{id}", "getFollow", "follow.FollowStreamTopics$FollowChanged"));
 
     private static TestServer house;
 
@@ -83,7 +84,6 @@ class OperationKindsTest {
                 .containsAll(SHOWN.values().stream().map(Shown::rest).toList());
         assertThat(faces.soap())
                 .containsAll(SHOWN.values().stream().map(Shown::soap).toList());
-        assertThat(SHOWN.values())
-                .allMatch(shown -> SHIPPED.contain("org.dronemap.ws.stream.StreamMessage$" + shown.stream()));
+        assertThat(SHOWN.values()).allMatch(shown -> SHIPPED.contain("org.dronemap.ws." + shown.stream()));
     }
 }

@@ -24,8 +24,17 @@ final class RoomRules {
     private static final String TOP = "wiring";
 
     /** From below to above. */
-    static final List<String> FLOORS =
-            List.of("environment", "schedule", "problem", "reading", "budget", "account", "access", "security", "http");
+    static final List<String> FLOORS = List.of(
+            "environment",
+            "schedule",
+            "problem",
+            "reading",
+            "budget",
+            "account",
+            "access",
+            "security",
+            "http",
+            "stream");
 
     /** From a room to those that it sees. */
     static final Map<String, Set<String>> ARROWS = Stream.of(
@@ -48,7 +57,6 @@ final class RoomRules {
                     "user: key organisation",
                     "virtual: drone mission",
                     "zone: drone",
-                    "stream: command control drone follow plan run virtual zone",
                     "settings: limit user",
                     "server: audit follow journal link outlet recording robotkey settings system")
             .map(line -> line.split(": "))

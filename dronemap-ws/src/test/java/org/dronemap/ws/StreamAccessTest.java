@@ -6,7 +6,12 @@ import java.net.http.HttpRequest;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import org.dronemap.core.access.Role;
+import org.dronemap.ws.access.HandlerCatalogue;
+import org.dronemap.ws.access.RestOperation;
+import org.dronemap.ws.stream.StreamAccessRule;
+import org.dronemap.ws.stream.StreamFace;
 import org.dronemap.ws.testserver.RecordingStreamClient;
 import org.dronemap.ws.testserver.StreamRequestSamples;
 import org.dronemap.ws.testserver.TestHttpClient;
@@ -75,6 +80,22 @@ class StreamAccessTest {
     private static TestHttpClient.Answer answer(TestHttpClient rest, String operation, String body) {
         String[] words = operation.split(" ");
         return words[0].equals("DELETE") ? rest.send(words[1], HttpRequest.Builder::DELETE) : rest.post(words[1], body);
+    }
+
+    @Test
+    void eachRequestNamesItsOperationsOrWhyThereAreNone() {
+        List<String> operations = HandlerCatalogue.all().stream()
+                .map(RestOperation::id)
+                .filter(Objects::nonNull)
+                .toList();
+
+        assertThat(tenant.server().bean(StreamFace.class).requests().types()).allSatisfy((type, request) -> {
+            if (request.access() instanceof StreamAccessRule.StreamOnly<?> only) {
+                assertThat(only.why()).matches("[A-Z].{20,}\\.");
+            } else {
+                assertThat(request.access().operations()).isNotEmpty().isSubsetOf(operations);
+            }
+        });
     }
 
     @Test

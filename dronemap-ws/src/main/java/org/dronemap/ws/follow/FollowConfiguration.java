@@ -1,12 +1,18 @@
 package org.dronemap.ws.follow;
 
+import org.dronemap.cognitive.operation.follow.FollowState;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.GrantRegistry;
+import org.dronemap.core.conduct.Operations.Snapshot;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.time.Time;
+import org.dronemap.ws.stream.StreamOperation;
+import org.dronemap.ws.stream.StreamTopic;
+import org.dronemap.ws.stream.delivery.StreamEventRouter;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
 import org.springframework.context.annotation.Import;
+import org.springframework.core.annotation.Order;
 
 /** Spring configuration of the handlers and services for follows. */
 @Configuration(proxyBeanMethods = false)
@@ -15,6 +21,30 @@ class FollowConfiguration {
     @Bean
     FollowService.Warehouse followWarehouse(VirtualDrones virtuals) {
         return virtuals::warehouse;
+    }
+
+    @Bean
+    PhoneReachability phoneReachability(FollowService follows) {
+        return new PhoneReachability(follows::reached);
+    }
+
+    @Bean
+    @Order(50)
+    StreamTopic<Snapshot<FollowState>> followStreamTopic(FollowService follows) {
+        return FollowStreamTopics.changes(follows);
+    }
+
+    @Bean
+    @Order(60)
+    StreamTopic<Snapshot<FollowState>> followNowStreamTopic(FollowService follows, StreamEventRouter news) {
+        return FollowStreamTopics.now(follows, news);
+    }
+
+    @Bean
+    @Order(50)
+    StreamOperation<PositionsStreamOperation.ReportPositions> positionsStreamOperation(
+            FollowService follows, PhoneReachability phones) {
+        return PositionsStreamOperation.of(follows, phones);
     }
 
     @Bean

@@ -22,7 +22,7 @@ import org.dronemap.ws.zone.ZoneFeature;
 import org.jspecify.annotations.Nullable;
 
 /** Maps mission runs to what clients see, once for all faces. */
-public final class RunViewMapper {
+final class RunViewMapper {
     private RunViewMapper() {}
 
     public static RunView view(Snapshot<RunState> run) {

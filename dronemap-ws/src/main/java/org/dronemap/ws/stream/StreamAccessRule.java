@@ -1,19 +1,16 @@
 package org.dronemap.ws.stream;
 
 import java.util.List;
-import java.util.Map;
-import java.util.Objects;
 import java.util.function.Function;
 import org.dronemap.ws.access.AccessLevel;
 import org.dronemap.ws.access.AccessRule;
 import org.dronemap.ws.access.AuditPolicy;
 import org.dronemap.ws.access.RequestCost;
-import org.dronemap.ws.control.ControlAction;
 
 /** Access rule of a request on the WebSocket stream: who may send it, its cost and its audit record. */
-public sealed interface StreamAccessRule {
+public sealed interface StreamAccessRule<R> {
     /** {@code rest}: finds the rule of an operation of REST. */
-    AccessRule of(StreamRequest request, Function<String, AccessRule> rest);
+    AccessRule of(R request, Function<String, AccessRule> rest);
 
     /** The ids of the operations of REST whose rules count. */
     List<String> operations();
@@ -24,9 +21,9 @@ public sealed interface StreamAccessRule {
     }
 
     /** The rule of the operation of REST that does the same. */
-    record OfOperation(String operation) implements StreamAccessRule {
+    record OfOperation<R>(String operation) implements StreamAccessRule<R> {
         @Override
-        public AccessRule of(StreamRequest request, Function<String, AccessRule> rest) {
+        public AccessRule of(R request, Function<String, AccessRule> rest) {
             return rest.apply(operation);
         }
 
@@ -36,24 +33,23 @@ public sealed interface StreamAccessRule {
         }
     }
 
-    /** The same, where the action on control says which operation that is. */
-    record OfControl(Map<ControlAction, String> byAction) implements StreamAccessRule {
-        @Override
-        public AccessRule of(StreamRequest request, Function<String, AccessRule> rest) {
-            ControlAction action = ((StreamControlRequest) request).asked().action();
-            return rest.apply(Objects.requireNonNull(byAction.get(action)));
+    /** The same, where the request says which of several operations that is. */
+    record OfOneOf<R>(List<String> operations, Function<R, String> choice) implements StreamAccessRule<R> {
+        public OfOneOf {
+            operations = operations.stream().sorted().toList();
         }
 
         @Override
-        public List<String> operations() {
-            return byAction.values().stream().sorted().toList();
+        public AccessRule of(R request, Function<String, AccessRule> rest) {
+            return rest.apply(choice.apply(request));
         }
     }
 
     /** A rule of its own, for what REST does not have; {@code why} it has it not. */
-    record StreamOnly(AccessLevel from, RequestCost costs, AuditPolicy audit, String why) implements StreamAccessRule {
+    record StreamOnly<R>(AccessLevel from, RequestCost costs, AuditPolicy audit, String why)
+            implements StreamAccessRule<R> {
         @Override
-        public AccessRule of(StreamRequest request, Function<String, AccessRule> rest) {
+        public AccessRule of(R request, Function<String, AccessRule> rest) {
             return new AccessRule(from, costs, audit, null);
         }
 

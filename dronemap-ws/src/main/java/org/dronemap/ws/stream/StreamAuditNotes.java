@@ -3,7 +3,6 @@ package org.dronemap.ws.stream;
 import org.dronemap.core.audit.AuditedCall;
 import org.dronemap.ws.access.AuditNotes;
 import org.dronemap.ws.access.AuditPolicy;
-import org.dronemap.ws.reading.WireNames;
 
 /** Adds details of a stream client's request to its audit record. */
 final class StreamAuditNotes {
@@ -21,23 +20,14 @@ final class StreamAuditNotes {
         });
     }
 
-    static void note(StreamRequest request) {
-        AuditedCall.current().ifPresent(call -> note(call, request));
-    }
-
-    private static void note(AuditedCall call, StreamRequest request) {
-        call.operation(request.kind().word());
-        String drone = request.drone();
-        if (drone != null) {
-            call.drone(AuditNotes.withoutSecrets(drone));
-        }
-        if (request instanceof StreamRequest.GiveCommand given && given.command() != null) {
-            AuditNotes.sent(given.command());
-        }
-        if (request instanceof StreamControlRequest control) {
-            String action = WireNames.camel(control.asked().action());
-            call.parameters(
-                    AuditNotes.summaryOf("action", action, "user", control.user(), "reason", control.reason()), "");
-        }
+    /** {@code type}: as clients call it. */
+    static void note(String type, StreamRequest request) {
+        AuditedCall.current().ifPresent(call -> {
+            call.operation(type);
+            String drone = request.drone();
+            if (drone != null) {
+                call.drone(AuditNotes.withoutSecrets(drone));
+            }
+        });
     }
 }

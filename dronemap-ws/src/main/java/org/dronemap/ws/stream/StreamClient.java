@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.dronemap.core.access.Principal;
 import org.dronemap.ws.security.AuthenticatedCaller;
@@ -26,7 +27,7 @@ import org.slf4j.LoggerFactory;
  * One client connected to the WebSocket stream, with its caller, subscription and outbox. Any thread; its sending
  * belongs to the pump.
  */
-final class StreamClient {
+final class StreamClient implements StreamConnection {
     private static final Logger LOG = LoggerFactory.getLogger(StreamClient.class);
     private static final int LONGEST_REASON_BYTES = 123;
     private static final int TOO_SLOW = CloseFrame.TRY_AGAIN_LATER;
@@ -37,7 +38,7 @@ final class StreamClient {
     private volatile boolean unsettled;
     private final long connectedNanos;
     private volatile long answeredNanos;
-    private final SteeredDrones steeredDrones = new SteeredDrones();
+    private final ConcurrentHashMap<Class<?>, Object> attachments = new ConcurrentHashMap<>();
     private volatile @Nullable AuthenticatedCaller caller;
     private volatile @Nullable Set<String> wanted;
     private volatile int perSecond = PublishSchedule.MOST_PER_SECOND;
@@ -61,7 +62,8 @@ final class StreamClient {
         return Optional.ofNullable(caller);
     }
 
-    Optional<Principal> principal() {
+    @Override
+    public Optional<Principal> principal() {
         return caller().map(AuthenticatedCaller::principal);
     }
 
@@ -73,8 +75,8 @@ final class StreamClient {
         return connectedNanos;
     }
 
-    /** Its connection shows that it stands, if it does. */
-    void probe() {
+    @Override
+    public void probe() {
         boolean unused = guarded(() -> {
             if (socket.isOpen()) {
                 socket.sendPing();
@@ -104,13 +106,19 @@ final class StreamClient {
         answeredNanos = nowNanos;
     }
 
-    /** When its connection answered a probe last. */
-    long answeredNanos() {
+    @Override
+    public long answeredNanos() {
         return answeredNanos;
     }
 
-    SteeredDrones steeredDrones() {
-        return steeredDrones;
+    @Override
+    public long nowNanos() {
+        return System.nanoTime();
+    }
+
+    @Override
+    public <T> T attachment(Class<T> type, Supplier<T> initial) {
+        return type.cast(attachments.computeIfAbsent(type, unused -> initial.get()));
     }
 
     /** It is nobody any more. */

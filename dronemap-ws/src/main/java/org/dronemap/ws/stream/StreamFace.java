@@ -8,27 +8,19 @@ import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.stream.Stream;
 import org.dronemap.core.access.GrantRegistry;
 import org.dronemap.core.audit.AuditRecorder;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.listener.CloudListener;
-import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.ws.access.RestOperations;
 import org.dronemap.ws.account.AccountChanges;
 import org.dronemap.ws.budget.Budgets;
-import org.dronemap.ws.command.CommandService;
-import org.dronemap.ws.control.ControlService;
-import org.dronemap.ws.control.SteeringService;
-import org.dronemap.ws.drone.DroneService;
-import org.dronemap.ws.drone.DroneViewMapper;
-import org.dronemap.ws.follow.FollowService;
-import org.dronemap.ws.plan.PlanJobExecutor;
 import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.ProblemView;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.reading.JsonCodec;
-import org.dronemap.ws.run.RunService;
 import org.dronemap.ws.security.AuthenticatedCaller;
 import org.dronemap.ws.security.CallerAuthenticator;
 import org.dronemap.ws.security.StreamTickets;
@@ -36,7 +28,6 @@ import org.dronemap.ws.stream.delivery.PublishLoop;
 import org.dronemap.ws.stream.delivery.StreamEventRouter;
 import org.dronemap.ws.stream.delivery.StreamMessageSubject;
 import org.dronemap.ws.stream.delivery.TextFrameCache;
-import org.dronemap.ws.virtual.VirtualDroneViewMapper;
 import org.java_websocket.WebSocketServerFactory;
 import org.java_websocket.drafts.Draft;
 import org.java_websocket.framing.CloseFrame;
@@ -54,30 +45,30 @@ public final class StreamFace implements AutoCloseable {
     private final CloudManager cloud;
     private final StreamServer server;
     private final StreamRequestHandler requests;
-    private final StreamEventRouter cloudNews = new StreamEventRouter();
+    private final StreamEventRouter cloudNews;
     private final List<StreamTopic<?>> topics;
     private final StreamMessageCatalogue messages;
+    private final StreamRequestCatalogue catalogue;
+    private final RestOperations operations;
     private final StreamTopicPublisher news;
-    private final PhoneReachability phones;
+    private final List<StreamConnectionListener> listeners;
     private final Clock clock;
     private final PublishLoop pump = new PublishLoop("stream-pump", this::round);
     private final StreamHeartbeat beat;
     private final TextFrameCache frames = new TextFrameCache();
 
-    /** The use cases behind the stream. */
-    public record Services(
-            AccessServices entrance,
-            DroneService drones,
-            ViewServices pictures,
-            CommandService commands,
-            ControlServices control,
-            JsonCodec json) {}
+    /** The parts of the server that the stream needs. */
+    public record Services(AccessServices entrance, Features features, JsonCodec json) {}
+
+    /** Declarations of all rooms of features, each in the order in which they are told, named or called. */
+    public record Features(
+            List<StreamTopic<?>> topics,
+            List<StreamOperation<?>> operations,
+            List<StreamWelcome> welcomes,
+            List<StreamConnectionListener> listeners) {}
 
     /** The address to listen at, the maker of connections, the reader of messages ({@link #LARGEST_MESSAGE_BYTES} at most). */
     public record Port(InetSocketAddress address, WebSocketServerFactory door, Draft draft) {}
-
-    /** Services of the stream for control of drones and for steering them. */
-    public record ControlServices(ControlService controls, SteeringService steering) {}
 
     /** Services of the stream for authentication, disconnection of users and audit records. */
     public record AccessServices(
@@ -91,30 +82,24 @@ public final class StreamFace implements AutoCloseable {
     /** Limits of the stream: users' budgets, number of streams, and access rules of operations that REST has, too. */
     public record Limits(Budgets budgets, StreamClientRegistry crowd, RestOperations operations) {}
 
-    /** Services and mappers that supply the views shown on the stream. */
-    public record ViewServices(
-            DroneViewMapper drones,
-            VirtualDrones virtuals,
-            VirtualDroneViewMapper virtualViews,
-            PlanJobExecutor plans,
-            RunService runs,
-            FollowService follows) {}
-
-    /** {@code ofUseCases}: the topics that are declared beside their use cases. */
-    public StreamFace(CloudManager cloud, Services services, List<StreamTopic<?>> ofUseCases, Port port, Clock clock) {
+    /** {@code cloudNews}: hears from the cloud as soon as the face has started. */
+    public StreamFace(CloudManager cloud, StreamEventRouter cloudNews, Services services, Port port, Clock clock) {
         this.cloud = cloud;
+        this.cloudNews = cloudNews;
         this.clock = clock;
         this.beat = new StreamHeartbeat(services.json(), clock, System.nanoTime());
-        this.topics = StreamTopics.all(cloud, cloudNews, services.pictures(), ofUseCases);
-        this.messages = StreamMessageCatalogue.of(topics);
+        this.topics = services.features().topics();
+        this.messages = StreamMessageCatalogue.of(topics, others(services.features()));
+        this.catalogue = StreamRequestCatalogue.of(services.features().operations());
+        this.operations = services.entrance().bounds().operations();
+        this.listeners = services.features().listeners();
         this.news = new StreamTopicPublisher(
                 topics,
                 services.entrance().grants(),
                 services.json(),
                 services.entrance().bounds().crowd(),
                 pump::wake);
-        this.phones = new PhoneReachability(services.pictures().follows()::reached);
-        this.requests = new StreamRequestHandler(services, phones);
+        this.requests = new StreamRequestHandler(services, catalogue);
         services.entrance().accounts().onChangeFirst(this::reauthorize);
         this.server = new StreamServer(
                 port,
@@ -125,8 +110,18 @@ public final class StreamFace implements AutoCloseable {
                 pump::wake);
     }
 
-    /** Returns the port when it listens. */
+    /** Messages that belong to no topic: those that come first, and answers. */
+    private static List<Class<? extends StreamMessage>> others(Features features) {
+        Stream<Class<? extends StreamMessage>> first =
+                features.welcomes().stream().map(StreamWelcome::message);
+        Stream<Class<? extends StreamMessage>> answers =
+                features.operations().stream().flatMap(operation -> operation.type().answer().stream());
+        return Stream.concat(first, answers).toList();
+    }
+
+    /** Returns the port when it listens; fails where a request is judged as an operation that REST does not have. */
     public int start() throws IOException {
+        catalogue.types().values().forEach(type -> type.access().operations().forEach(operations::rule));
         server.start();
         int port = awaitListening();
         cloud.controls().watchedBy(this::isThere);
@@ -169,7 +164,7 @@ public final class StreamFace implements AutoCloseable {
     private PublishLoop.Pause round(long now) {
         cloudNews.round(now);
         PublishLoop.Pause pause = news.publish(now);
-        phones.round(now);
+        listeners.forEach(listener -> listener.round(now));
         Optional<String> sign = beat.due(now);
         boolean allSent = true;
         for (StreamClient client : server.clients()) {
@@ -209,6 +204,10 @@ public final class StreamFace implements AutoCloseable {
 
     public StreamMessageCatalogue messages() {
         return messages;
+    }
+
+    public StreamRequestCatalogue requests() {
+        return catalogue;
     }
 
     /** How many clients are connected. */

@@ -2,6 +2,7 @@ package org.dronemap.ws.stream;
 
 import com.fasterxml.jackson.annotation.JsonTypeName;
 import io.swagger.v3.oas.annotations.media.Schema;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -10,15 +11,44 @@ import java.util.Map;
 import java.util.Set;
 import org.dronemap.ws.environment.SetupException;
 import org.dronemap.ws.reading.RecordAlternatives;
+import org.springframework.core.Ordered;
+import org.springframework.core.annotation.OrderUtils;
 
-/** All types of messages that the server sends on the WebSocket stream, by name. Immutable. */
+/** All types of messages that the server sends on the WebSocket stream, by name, as they are described. Immutable. */
 public record StreamMessageCatalogue(Map<String, Class<?>> records) {
     private static final String NAME = "Stream";
+    /** Of what says nothing: after what features say, before what the stream says of itself. */
+    private static final int UNORDERED = Ordered.LOWEST_PRECEDENCE - 1;
 
-    /** The start fails where topics could not be told from each other. */
-    static StreamMessageCatalogue of(List<StreamTopic<?>> topics) {
+    /**
+     * The start fails where topics could not be told from each other; {@code others}: messages of features that belong to no
+     * topic.
+     */
+    static StreamMessageCatalogue of(List<StreamTopic<?>> topics, List<Class<? extends StreamMessage>> others) {
         Map<String, Class<?>> records = new LinkedHashMap<>(
                 RecordAlternatives.of(StreamMessage.class).orElseThrow().records());
+        addTopics(records, topics);
+        for (Class<? extends StreamMessage> message : others) {
+            String type = typeOf(message);
+            Class<?> other = records.putIfAbsent(type, message);
+            if (other != null && other != message) {
+                throw new SetupException("Two messages of the stream are of the type " + type + ": " + other.getName()
+                        + " and " + message.getName() + "; each message needs a type of its own.");
+            }
+        }
+        checkKinds(topics);
+        return new StreamMessageCatalogue(inOrder(records));
+    }
+
+    private static Map<String, Class<?>> inOrder(Map<String, Class<?>> records) {
+        Map<String, Class<?>> ordered = new LinkedHashMap<>();
+        records.entrySet().stream()
+                .sorted(Comparator.comparingInt(record -> OrderUtils.getOrder(record.getValue(), UNORDERED)))
+                .forEach(record -> ordered.put(record.getKey(), record.getValue()));
+        return ordered;
+    }
+
+    private static void addTopics(Map<String, Class<?>> records, List<StreamTopic<?>> topics) {
         Set<Class<?>> told = new HashSet<>();
         for (StreamTopic<?> topic : topics) {
             for (Class<? extends StreamMessage> message : topic.messages()) {
@@ -32,8 +62,6 @@ public record StreamMessageCatalogue(Map<String, Class<?>> records) {
                 }
             }
         }
-        checkKinds(topics);
-        return new StreamMessageCatalogue(records);
     }
 
     /** Those that are not among the messages of {@link StreamMessage} itself. */

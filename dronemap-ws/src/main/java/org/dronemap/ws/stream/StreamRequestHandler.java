@@ -7,18 +7,11 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.audit.AuditRecorder;
 import org.dronemap.core.audit.AuditedCall;
-import org.dronemap.core.drone.DroneId;
 import org.dronemap.ws.access.AccessRule;
 import org.dronemap.ws.access.AuditNotes;
+import org.dronemap.ws.access.RestOperations;
 import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.budget.Budgets;
-import org.dronemap.ws.command.CommandRequest;
-import org.dronemap.ws.command.CommandService;
-import org.dronemap.ws.drone.DroneService;
-import org.dronemap.ws.drone.DroneView;
-import org.dronemap.ws.follow.FollowReceipt;
-import org.dronemap.ws.follow.FollowRequest;
-import org.dronemap.ws.follow.FollowService;
 import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.OutageClassifier;
@@ -34,7 +27,6 @@ import org.dronemap.ws.reading.WireNames;
 import org.dronemap.ws.security.AuthenticatedCaller;
 import org.dronemap.ws.security.CallerAuthenticator;
 import org.dronemap.ws.stream.delivery.PublishSchedule;
-import org.dronemap.ws.stream.delivery.StreamMessageSubject;
 import org.java_websocket.framing.CloseFrame;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -43,42 +35,38 @@ import org.slf4j.LoggerFactory;
 /** Handles requests of clients of the WebSocket stream: checks access, carries them out and answers. Any thread. */
 final class StreamRequestHandler {
     private static final Logger LOG = LoggerFactory.getLogger(StreamRequestHandler.class);
-    private static final RecordAlternatives TYPES =
-            RecordAlternatives.of(StreamRequest.class).orElseThrow();
 
     private final CallerAuthenticator authentication;
     private final Budgets budgets;
-    private final StreamAccessRules rules;
-    private final DroneService drones;
-    private final CommandService commands;
-    private final StreamControlHandler controls;
-    private final StreamSteeringHandler steering;
-    private final FollowService follows;
-    private final PhoneReachability phones;
+    private final RestOperations operations;
+    private final StreamRequestCatalogue requests;
+    private final RecordAlternatives types;
+    private final List<StreamWelcome> welcomes;
+    private final List<StreamConnectionListener> listeners;
     private final StreamClientRegistry crowd;
     private final JsonCodec json;
+    private final JsonCodec reader;
     private final AuditRecorder desk;
 
     /** Fields of a request that are read before its type is known, so that an error response can name the request. */
     @JsonIgnoreProperties(ignoreUnknown = true)
     record Head(@Nullable String type, @Nullable String requestId) {}
 
-    StreamRequestHandler(StreamFace.Services services, PhoneReachability phones) {
+    StreamRequestHandler(StreamFace.Services services, StreamRequestCatalogue requests) {
         this.authentication = services.entrance().authentication();
         this.budgets = services.entrance().bounds().budgets();
-        this.rules = new StreamAccessRules(services.entrance().bounds().operations());
-        this.drones = services.drones();
-        this.commands = services.commands();
-        this.controls = new StreamControlHandler(services.control().controls());
-        this.steering = new StreamSteeringHandler(services.control().steering());
-        this.phones = phones;
-        this.follows = services.pictures().follows();
+        this.operations = services.entrance().bounds().operations();
+        this.requests = requests;
+        this.types = requests.alternatives();
+        this.welcomes = services.features().welcomes();
+        this.listeners = services.features().listeners();
         this.crowd = services.entrance().bounds().crowd();
         this.json = services.json();
+        this.reader = requests.reader(json);
         this.desk = services.entrance().audit();
     }
 
-    /** Lets a client in, with the whole list first. */
+    /** Lets a client in, with what features tell it first. */
     void welcome(StreamClient client, AuthenticatedCaller proved) {
         // First admitted, then judged: whatever is revoked from here on finds the client among those admitted.
         try {
@@ -87,15 +75,11 @@ final class StreamRequestHandler {
             authentication.admit(caller);
             Principal principal = caller.principal();
             send(client, new StreamMessage.Hello(principal.name(), WireNames.camel(principal.role())));
-            List<DroneView> all = drones.drones(principal);
-            all.forEach(drone -> {
-                DroneId id = new DroneId(drone.id());
-                Object sight = StreamTopics.sightOf(principal, id);
-                if (sight != null) {
-                    client.shown().put(StreamMessageSubject.drone(id), sight);
-                }
+            welcomes.forEach(welcome -> {
+                StreamWelcome.Greeting first = welcome.greeting().apply(principal);
+                client.shown().putAll(first.sights());
+                send(client, first.message());
             });
-            send(client, new StreamMessage.Drones(all));
             client.unsettle();
         } catch (Rejection rejection) {
             boolean later = rejection.kind() == RejectionKind.THROTTLED;
@@ -128,14 +112,15 @@ final class StreamRequestHandler {
     void expel(StreamClient client, int code, Rejection why) {
         String message = json.write(new StreamMessage.Failure(ProblemView.of(why), null));
         client.expel(new StreamClient.ClosingMessage(code, why.sentence(), message));
-        steering.stopSteering(client);
+        listeners.forEach(listener -> listener.left(client));
     }
 
     /** Its connection has ended. */
     void disconnected(StreamClient client, int code, boolean remote) {
         client.leave();
-        steering.stopSteering(client);
-        phones.disconnected(client, code, remote, System.nanoTime());
+        listeners.forEach(listener -> listener.left(client));
+        StreamEnding ending = StreamEnding.of(code, remote);
+        listeners.forEach(listener -> listener.disconnected(client, ending));
     }
 
     void received(StreamClient client, String text) {
@@ -164,7 +149,7 @@ final class StreamRequestHandler {
             Head head = json.read(text, Head.class);
             requestId = head.requestId();
             requireType(head.type());
-            answer(client, json.read(text, StreamRequest.class));
+            answer(client, reader.read(text, StreamRequest.class));
         } catch (Rejection rejection) {
             AuditNotes.turnedAway(ProblemView.of(rejection));
             if (client.principal().isEmpty()) {
@@ -191,13 +176,13 @@ final class StreamRequestHandler {
         return ProblemView.internal();
     }
 
-    private static void requireType(@Nullable String type) {
+    private void requireType(@Nullable String type) {
         if (type == null) {
-            throw InvalidInput.missing(TYPES.member(), TYPES.allowed());
+            throw InvalidInput.missing(types.member(), types.allowed());
         }
-        if (!TYPES.records().containsKey(type)) {
+        if (!types.records().containsKey(type)) {
             throw InvalidInput.outside(
-                    ValueProblem.VALUE_NOT_ALLOWED, TYPES.member(), TYPES.allowed(), "\"" + type + "\"");
+                    ValueProblem.VALUE_NOT_ALLOWED, types.member(), types.allowed(), "\"" + type + "\"");
         }
     }
 
@@ -212,9 +197,11 @@ final class StreamRequestHandler {
     }
 
     private void answer(StreamClient client, StreamRequest request) {
-        StreamAuditNotes.note(request);
+        StreamAuditNotes.note(requests.nameOf(request), request);
+        Optional<StreamOperation<?>> ofFeature = requests.operation(request);
+        ofFeature.ifPresent(operation -> operation.note(request));
         if (request instanceof StreamRequest.Authenticate proof) {
-            StreamAuditNotes.note(rules.rule(request).audit());
+            StreamAuditNotes.note(rule(request).audit());
             authenticate(client, proof.key());
             return;
         }
@@ -222,45 +209,21 @@ final class StreamRequestHandler {
                 .orElseThrow(() -> Rejection.of(
                         AccessProblem.SIGN_IN_NEEDED,
                         "Send {\"type\":\"authenticate\",\"key\":\"…\"} with an access key first."));
-        judge(principal, rules.rule(request));
-        switch (request.kind()) {
-            case AUTHENTICATE -> throw new IllegalStateException("It is authenticated before.");
-            case COMMAND -> send(client, command(principal, (StreamRequest.GiveCommand) request));
-            case CONTROL -> send(client, controls.answer(principal, (StreamControlRequest) request));
-            case STEER -> steer(client, (StreamRequest.Steer) request);
-            case LET_GO -> steering.letGo(client, principal, (StreamRequest.LetGo) request);
-            case POSITIONS -> send(client, positions(client, principal, (StreamRequest.Positions) request));
-            case SUBSCRIBE -> subscribe(client, (StreamRequest.Subscribe) request);
-            case PING -> send(client, new StreamMessage.Pong());
+        judge(principal, rule(request));
+        if (request instanceof StreamRequest.Subscribe subscription) {
+            subscribe(client, subscription);
+        } else if (request instanceof StreamRequest.Ping) {
+            send(client, new StreamMessage.Pong());
+        } else {
+            StreamMessage answer = ofFeature.orElseThrow().handle(client, principal, request);
+            if (answer != null) {
+                send(client, answer);
+            }
         }
     }
 
-    /** What the gate refuses it writes down itself; what is refused again and again leaves no more records than sentences. */
-    private void steer(StreamClient client, StreamRequest.Steer request) {
-        try {
-            if (steering.steer(client, request)) {
-                return;
-            }
-        } catch (Rejection why) {
-            if (why.kind() != RejectionKind.CONFLICT) {
-                throw why;
-            }
-            send(client, new StreamMessage.Failure(ProblemView.of(why), request.requestId()));
-        }
-        AuditedCall.current().ifPresent(AuditedCall::leaveOut);
-    }
-
-    private StreamMessage.PositionsReceived positions(
-            StreamClient client, Principal principal, StreamRequest.Positions request) {
-        String follow = request.follow();
-        if (follow == null) {
-            throw InvalidInput.missing("follow", "the id of a follow");
-        }
-        FollowRequest.PositionsRequest said =
-                new FollowRequest.PositionsRequest(request.sent(), request.roundTrip(), request.positions());
-        FollowReceipt receipt = follows.positions(principal, follow, said);
-        phones.received(client, receipt.follow(), System.nanoTime());
-        return new StreamMessage.PositionsReceived(request.requestId(), receipt);
+    private AccessRule rule(StreamRequest request) {
+        return requests.typeOf(request).rule(request, operations::rule);
     }
 
     private static void subscribe(StreamClient client, StreamRequest.Subscribe request) {
@@ -294,19 +257,6 @@ final class StreamRequestHandler {
         if (client.caller().isEmpty()) {
             welcome(client, caller);
         }
-    }
-
-    private StreamMessage.CommandAccepted command(Principal principal, StreamRequest.GiveCommand request) {
-        String drone = request.drone();
-        CommandRequest command = request.command();
-        if (drone == null) {
-            throw InvalidInput.missing("drone", "the id of a drone");
-        }
-        if (command == null) {
-            throw InvalidInput.missing("command", "an object such as {\"type\":\"arm\"}");
-        }
-        return new StreamMessage.CommandAccepted(
-                request.requestId(), commands.submit(principal, "stream", drone, command));
     }
 
     void send(StreamClient client, StreamMessage message) {

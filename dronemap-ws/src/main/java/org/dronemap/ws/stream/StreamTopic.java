@@ -7,14 +7,14 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.dronemap.core.access.Principal;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.ws.stream.delivery.StreamMessageSubject;
 import org.dronemap.ws.stream.delivery.StreamTopicSink;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One kind of update sent on the WebSocket stream: its message, rate, audience and source. {@link StreamTopics} has
- * those of what the cloud itself does; a use case declares its own beside it, as a bean. {@link StreamTopicFeed} carries
- * them.
+ * One kind of update sent on the WebSocket stream: its message, rate, audience and source. A feature declares its own
+ * beside its use case, as a bean; {@link StreamTopicFeed} carries them.
  *
  * @param message what is said of one that has changed
  * @param rate how often
@@ -41,6 +41,12 @@ public record StreamTopic<T>(
      * {@code drone}, by the drone's id, goes by what a client has subscribed to.
      */
     public record SubjectMapping<T>(String kind, Function<T, String> id) {
+        /** Of what is or belongs to a drone. */
+        public static <T> SubjectMapping<T> ofDrone(Function<T, DroneId> drone) {
+            return new SubjectMapping<>(
+                    StreamMessageSubject.DRONE, thing -> drone.apply(thing).value());
+        }
+
         StreamMessageSubject subject(T thing) {
             return subject(id.apply(thing));
         }

@@ -1,9 +1,9 @@
 /**
  * The stream: topics out, requests in, over WebSocket.
  *
- * <p>Enters: a topic or a request.
+ * <p>Enters: what holds for every topic or every request, and what is said of a connection itself.
  *
- * <p>Never: what a feature decides.
+ * <p>Never: a topic, a request or a message of a feature: its room declares them.
  */
 @NullMarked
 package org.dronemap.ws.stream;

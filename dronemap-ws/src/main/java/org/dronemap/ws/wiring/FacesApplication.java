@@ -15,7 +15,7 @@ import org.springframework.context.annotation.Configuration;
 @EnableAutoConfiguration
 @ComponentScan(
         basePackages = "org.dronemap.ws",
-        resourcePattern = "*/*Configuration.class",
+        resourcePattern = "**/*Configuration.class",
         useDefaultFilters = false,
         includeFilters = @ComponentScan.Filter(Configuration.class))
 public class FacesApplication {}

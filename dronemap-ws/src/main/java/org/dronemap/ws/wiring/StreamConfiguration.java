@@ -9,35 +9,29 @@ import javax.net.ssl.SSLContext;
 import org.dronemap.core.access.GrantRegistry;
 import org.dronemap.core.audit.AuditRecorder;
 import org.dronemap.core.cloud.CloudManager;
-import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.time.Time;
 import org.dronemap.proxy.endpoint.BoundedWebSocketDraft;
 import org.dronemap.proxy.endpoint.BoundedWebSocketFactory;
 import org.dronemap.ws.access.RestOperations;
 import org.dronemap.ws.account.AccountChanges;
 import org.dronemap.ws.budget.Budgets;
-import org.dronemap.ws.command.CommandService;
-import org.dronemap.ws.control.ControlService;
-import org.dronemap.ws.control.SteeringService;
-import org.dronemap.ws.drone.DroneService;
-import org.dronemap.ws.drone.DroneViewMapper;
 import org.dronemap.ws.environment.SetupException;
-import org.dronemap.ws.follow.FollowService;
 import org.dronemap.ws.limit.ClientLimits;
-import org.dronemap.ws.plan.PlanJobExecutor;
 import org.dronemap.ws.reading.JsonCodec;
 import org.dronemap.ws.reading.SecretGenerator;
-import org.dronemap.ws.run.RunService;
 import org.dronemap.ws.security.CallerAuthenticator;
 import org.dronemap.ws.security.StreamTickets;
 import org.dronemap.ws.server.BuildVersion;
 import org.dronemap.ws.server.ReloadableCertificate;
 import org.dronemap.ws.settings.ServerSettings;
 import org.dronemap.ws.stream.StreamClientRegistry;
+import org.dronemap.ws.stream.StreamConnectionListener;
 import org.dronemap.ws.stream.StreamFace;
+import org.dronemap.ws.stream.StreamOperation;
 import org.dronemap.ws.stream.StreamTopic;
+import org.dronemap.ws.stream.StreamWelcome;
+import org.dronemap.ws.stream.delivery.StreamEventRouter;
 import org.dronemap.ws.stream.description.StreamDescription;
-import org.dronemap.ws.virtual.VirtualDroneViewMapper;
 import org.jspecify.annotations.Nullable;
 import org.springdoc.core.customizers.OpenApiCustomizer;
 import org.springframework.beans.factory.ObjectProvider;
@@ -76,29 +70,28 @@ class StreamConfiguration {
 
     @Bean
     StreamFace.Services streamServices(
-            StreamFace.AccessServices entrance,
-            DroneService drones,
-            StreamFace.ViewServices pictures,
-            CommandService commands,
-            StreamFace.ControlServices reins,
-            JsonCodec json) {
-        return new StreamFace.Services(entrance, drones, pictures, commands, reins, json);
+            StreamFace.AccessServices entrance, StreamFace.Features features, JsonCodec json) {
+        return new StreamFace.Services(entrance, features, json);
     }
 
+    /** What rooms of features declare, in the order that they say. */
     @Bean
-    StreamFace.ControlServices streamControlServices(ControlService controls, SteeringService steering) {
-        return new StreamFace.ControlServices(controls, steering);
+    StreamFace.Features streamFeatures(
+            ObjectProvider<StreamTopic<?>> topics,
+            ObjectProvider<StreamOperation<?>> operations,
+            ObjectProvider<StreamWelcome> welcomes,
+            ObjectProvider<StreamConnectionListener> listeners) {
+        return new StreamFace.Features(
+                topics.orderedStream().toList(),
+                operations.orderedStream().toList(),
+                welcomes.orderedStream().toList(),
+                listeners.orderedStream().toList());
     }
 
+    /** Tells topics of features what happens in the cloud. */
     @Bean
-    StreamFace.ViewServices streamPictures(
-            VirtualDrones virtuals,
-            DroneViewMapper views,
-            VirtualDroneViewMapper virtualViews,
-            PlanJobExecutor plans,
-            RunService runs,
-            FollowService follows) {
-        return new StreamFace.ViewServices(views, virtuals, virtualViews, plans, runs, follows);
+    StreamEventRouter streamEventRouter() {
+        return new StreamEventRouter();
     }
 
     @Bean
@@ -115,15 +108,15 @@ class StreamConfiguration {
     @Bean
     StreamFace streamFace(
             CloudManager cloud,
+            StreamEventRouter news,
             StreamFace.Services services,
-            ObjectProvider<StreamTopic<?>> topics,
             ServerSettings settings,
             BoundedWebSocketFactory door,
             Clock clock) {
         InetSocketAddress address = new InetSocketAddress(settings.bindAddress(), settings.streamPort());
         StreamFace.Port port =
                 new StreamFace.Port(address, door, new BoundedWebSocketDraft(StreamFace.LARGEST_MESSAGE_BYTES));
-        return new StreamFace(cloud, services, topics.orderedStream().toList(), port, clock);
+        return new StreamFace(cloud, news, services, port, clock);
     }
 
     @Bean

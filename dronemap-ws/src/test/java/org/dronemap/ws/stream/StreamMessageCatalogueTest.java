@@ -14,6 +14,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.springframework.core.annotation.Order;
 
 /** Messages of topics that are declared beside their use cases: which they are, and which the server does not start with. */
 class StreamMessageCatalogueTest {
@@ -24,6 +25,11 @@ class StreamMessageCatalogueTest {
     @JsonTypeName("unpainted")
     @Schema(name = "StreamUnpainted", description = "A thing that was bared.")
     record Unpainted(String id) implements StreamMessage.OfUseCase {}
+
+    @JsonTypeName("primed")
+    @Order(1)
+    @Schema(name = "StreamPrimed", description = "A thing that is ready to be painted.")
+    record Primed(String id) implements StreamMessage.OfUseCase {}
 
     @JsonTypeName("painted")
     @Schema(name = "StreamPaintedAgain", description = "Another one of the same type.")
@@ -66,7 +72,7 @@ class StreamMessageCatalogueTest {
                 "wall",
                 new StreamTopicRate.EveryChange(),
                 new StreamTopic.Removal(Unpainted.class, Unpainted::new));
-        StreamMessageCatalogue said = StreamMessageCatalogue.of(List.of(painted));
+        StreamMessageCatalogue said = StreamMessageCatalogue.of(List.of(painted), List.of());
 
         assertThat(said.ofUseCases())
                 .containsEntry("painted", Painted.class)
@@ -84,17 +90,35 @@ class StreamMessageCatalogueTest {
 
         assertThat(json.write(new Painted("a", "red")))
                 .isEqualTo("{\"type\":\"painted\",\"id\":\"a\",\"colour\":\"red\"}");
-        assertThat(json.write(new StreamMessage.DroneRemoved("a")))
-                .isEqualTo("{\"type\":\"droneRemoved\",\"id\":\"a\"}");
+        assertThat(json.write(new StreamMessage.Hello("a", "viewer")))
+                .isEqualTo("{\"type\":\"hello\",\"user\":\"a\",\"role\":\"viewer\"}");
     }
 
     @Test
     void mayBeOfADroneThatOtherTopicsAreAboutToo() {
         List<StreamTopic<?>> topics = List.of(
-                newest(StreamMessage.Drone.class, "drone"),
+                newest(Unpainted.class, "drone"),
                 topic(Painted.class, "drone", new StreamTopicRate.EveryChange(), null));
 
-        assertThat(StreamMessageCatalogue.of(topics).ofUseCases()).containsOnlyKeys("painted");
+        assertThat(StreamMessageCatalogue.of(topics, List.of()).ofUseCases()).containsOnlyKeys("unpainted", "painted");
+    }
+
+    /** So that the description does not depend on who declares what. */
+    @Test
+    void areDescribedInTheirOrderBetweenWhatTheStreamSaysOfItself() {
+        StreamMessageCatalogue said = StreamMessageCatalogue.of(
+                List.of(newest(Painted.class, "wall"), newest(Unpainted.class, "door")),
+                List.of(Primed.class, Unpainted.class));
+
+        assertThat(said.records().keySet())
+                .containsExactly("hello", "primed", "painted", "unpainted", "error", "ping", "pong");
+    }
+
+    @Test
+    void doNotStartWhereAnAnswerHasTheTypeOfAnother() {
+        assertThatThrownBy(() -> StreamMessageCatalogue.of(List.of(), List.of(Painted.class, PaintedAgain.class)))
+                .isInstanceOf(SetupException.class)
+                .hasMessageContaining("Two messages of the stream are of the type painted");
     }
 
     record Faulty(List<StreamTopic<?>> topics, String sentence) {}
@@ -130,7 +154,7 @@ class StreamMessageCatalogueTest {
     @ParameterizedTest
     @MethodSource("faulty")
     void doNotStartWhereTheyCouldNotBeToldFromEachOther(Faulty faulty) {
-        assertThatThrownBy(() -> StreamMessageCatalogue.of(faulty.topics()))
+        assertThatThrownBy(() -> StreamMessageCatalogue.of(faulty.topics(), List.of()))
                 .isInstanceOf(SetupException.class)
                 .hasMessage(faulty.sentence());
     }

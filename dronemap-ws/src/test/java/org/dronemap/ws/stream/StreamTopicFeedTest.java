@@ -2,6 +2,7 @@ package org.dronemap.ws.stream;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.fasterxml.jackson.annotation.JsonTypeName;
 import java.lang.reflect.Proxy;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -21,6 +22,9 @@ class StreamTopicFeedTest {
     private static final long MILLI = 1_000_000L;
     private static final String A = "a";
 
+    @JsonTypeName("gone")
+    record Gone(String id) implements StreamMessage.OfUseCase {}
+
     private final Set<String> hidden = new HashSet<>();
     private final List<String> things = new ArrayList<>(List.of("a1"));
     private final StreamClient anna = client("anna");
@@ -39,7 +43,7 @@ class StreamTopicFeedTest {
     }
 
     private StreamTopicFeed<String> feed(StreamTopicRate rate) {
-        return feed(rate, new StreamTopic.Removal(StreamMessage.PlanRemoved.class, StreamMessage.PlanRemoved::new));
+        return feed(rate, new StreamTopic.Removal(Gone.class, Gone::new));
     }
 
     private StreamTopicFeed<String> feed(StreamTopicRate rate, StreamTopic.@Nullable Removal removal) {

@@ -3,17 +3,13 @@ package org.dronemap.ws.stream.description;
 import io.swagger.v3.oas.annotations.media.Schema;
 import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import org.dronemap.ws.reading.JsonCodec;
-import org.dronemap.ws.reading.RecordAlternatives;
-import org.dronemap.ws.stream.StreamAccessRules;
 import org.dronemap.ws.stream.StreamFace;
 import org.dronemap.ws.stream.StreamMessage;
 import org.dronemap.ws.stream.StreamMessageCatalogue;
-import org.dronemap.ws.stream.StreamRequest;
-import org.dronemap.ws.stream.StreamRequestKind;
+import org.dronemap.ws.stream.StreamRequestCatalogue;
 import org.dronemap.ws.stream.StreamServer;
 import org.dronemap.ws.stream.StreamTopic;
 import org.dronemap.ws.stream.delivery.PublishSchedule;
@@ -26,11 +22,10 @@ import tools.jackson.databind.node.ObjectNode;
 /** Writes the AsyncAPI 3 description of the WebSocket stream: its topics, messages and requests. Any thread. */
 public final class StreamDescription {
     private static final String CHANNEL = "#/channels/stream";
-    private static final Map<String, Class<?>> HEARD =
-            RecordAlternatives.of(StreamRequest.class).orElseThrow().records();
 
     private final List<StreamTopic<?>> topics;
     private final StreamMessageCatalogue said;
+    private final StreamRequestCatalogue requests;
     private final List<OpenApiCustomizer> customizers;
     private final JsonMapper json;
     private final String version;
@@ -41,6 +36,7 @@ public final class StreamDescription {
     public StreamDescription(StreamFace face, List<OpenApiCustomizer> customizers, JsonCodec json, String version) {
         this.topics = face.topics();
         this.said = face.messages();
+        this.requests = face.requests();
         this.customizers = customizers;
         this.json = json.mapper();
         this.version = version;
@@ -91,7 +87,10 @@ public final class StreamDescription {
         channel.put("address", StreamServer.PATH);
         ObjectNode messages = channel.putObject("messages");
         said.records().values().forEach(record -> reference(messages.putObject(name(record)), message(record)));
-        HEARD.values().forEach(record -> reference(messages.putObject(name(record)), message(record)));
+        requests.alternatives()
+                .records()
+                .values()
+                .forEach(record -> reference(messages.putObject(name(record)), message(record)));
         ObjectNode query = channel.putObject("bindings")
                 .putObject("ws")
                 .put("method", "GET")
@@ -116,18 +115,18 @@ public final class StreamDescription {
                     "Told: " + topic.rate().words() + ". To: "
                             + topic.audience().words() + ".");
         });
-        for (StreamRequestKind kind : StreamRequestKind.values()) {
-            ObjectNode operation = operation(operations.putObject(kind.word()), "receive", List.of(request(kind)));
-            operation.put("summary", StreamAccessRules.of(kind).words());
+        requests.types().forEach((word, type) -> {
+            ObjectNode operation = operation(operations.putObject(word), "receive", List.of(type.request()));
+            operation.put("summary", type.access().words());
             ObjectNode reply = operation.putObject("reply");
             reference(reply.putObject("channel"), CHANNEL);
             ArrayNode answers = reply.putArray("messages");
-            kind.answer().ifPresent(answer -> {
+            type.answer().ifPresent(answer -> {
                 told.add(answer);
                 reference(answers.addObject(), CHANNEL + "/messages/" + name(answer));
             });
             reference(answers.addObject(), CHANNEL + "/messages/" + name(StreamMessage.Failure.class));
-        }
+        });
         List<Class<?>> others = said.records().values().stream()
                 .filter(record -> !told.contains(record))
                 .toList();
@@ -146,8 +145,8 @@ public final class StreamDescription {
     private void components(ObjectNode components) {
         ObjectNode messages = components.putObject("messages");
         said.records().forEach((type, record) -> message(messages, type, record));
-        HEARD.forEach((type, record) -> message(messages, type, record));
-        components.set("schemas", StreamSchemas.of(said, customizers, json));
+        requests.alternatives().records().forEach((type, record) -> message(messages, type, record));
+        components.set("schemas", StreamSchemas.of(said, requests, customizers, json));
         ObjectNode schemes = components.putObject("securitySchemes");
         schemes.putObject("accessKey").put("type", "http").put("scheme", "bearer");
         schemes.putObject("ticket")
@@ -160,10 +159,6 @@ public final class StreamDescription {
         ObjectNode message = messages.putObject(name(record));
         message.put("name", type).put("summary", schema(record).description());
         reference(message.putObject("payload"), "#/components/schemas/" + name(record));
-    }
-
-    private static Class<?> request(StreamRequestKind kind) {
-        return Objects.requireNonNull(HEARD.get(kind.word()));
     }
 
     private static String word(Class<?> record) {

@@ -15,6 +15,7 @@ import io.swagger.v3.oas.models.media.MediaType;
 import io.swagger.v3.oas.models.media.Schema;
 import io.swagger.v3.oas.models.parameters.RequestBody;
 import io.swagger.v3.oas.models.responses.ApiResponses;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -22,6 +23,7 @@ import java.util.TreeMap;
 import org.dronemap.ws.stream.StreamMessage;
 import org.dronemap.ws.stream.StreamMessageCatalogue;
 import org.dronemap.ws.stream.StreamRequest;
+import org.dronemap.ws.stream.StreamRequestCatalogue;
 import org.dronemap.ws.stream.StreamServer;
 import org.springdoc.core.customizers.OpenApiCustomizer;
 import tools.jackson.databind.JsonNode;
@@ -32,18 +34,20 @@ import tools.jackson.databind.node.ObjectNode;
 /** Makes the JSON schemas of all messages of the WebSocket stream, in the same way as those of REST. */
 final class StreamSchemas {
     private static final String REFERENCE = "#/components/schemas/";
-    private static final String SAID = "StreamMessage";
     private static final String DISCRIMINATOR = "discriminator";
 
     private StreamSchemas() {}
 
     /** By name, in the order of their names; {@code customizers}: those of the description of REST. */
     @SuppressWarnings("rawtypes")
-    static ObjectNode of(StreamMessageCatalogue said, List<OpenApiCustomizer> customizers, JsonMapper json) {
+    static ObjectNode of(
+            StreamMessageCatalogue said,
+            StreamRequestCatalogue requests,
+            List<OpenApiCustomizer> customizers,
+            JsonMapper json) {
         Map<String, Schema> schemas = new TreeMap<>();
-        schemas.putAll(ModelConverters.getInstance(true).readAll(StreamMessage.class));
-        said.ofUseCases().forEach((type, record) -> add(schemas, type, record));
-        schemas.putAll(ModelConverters.getInstance(true).readAll(StreamRequest.class));
+        addChoice(schemas, StreamMessage.class, said.records());
+        addChoice(schemas, StreamRequest.class, requests.alternatives().records());
         OpenAPI description = asRest(schemas);
         customizers.forEach(customizer -> customizer.customise(description));
         try {
@@ -55,15 +59,20 @@ final class StreamSchemas {
         }
     }
 
-    /** A message that is declared beside its use case is one of those that the server says. */
+    /** Those that are declared beside their use cases are among those to choose from. */
     @SuppressWarnings("rawtypes")
-    private static void add(Map<String, Schema> schemas, String type, Class<?> record) {
-        ResolvedSchema one =
-                ModelConverters.getInstance(true).readAllAsResolvedSchema(new AnnotatedType(record).resolveAsRef(true));
-        schemas.putAll(one.referencedSchemas);
-        Schema<?> choice = Objects.requireNonNull(schemas.get(SAID));
-        choice.addOneOfItem(one.schema);
-        choice.getDiscriminator().mapping(type, one.schema.get$ref());
+    private static void addChoice(Map<String, Schema> schemas, Class<?> type, Map<String, Class<?>> records) {
+        ModelConverters converters = ModelConverters.getInstance(true);
+        schemas.putAll(converters.readAll(type));
+        Schema<?> choice = Objects.requireNonNull(schemas.get(type.getSimpleName()));
+        choice.setOneOf(new ArrayList<>());
+        records.forEach((name, record) -> {
+            ResolvedSchema one = converters.readAllAsResolvedSchema(new AnnotatedType(record).resolveAsRef(true));
+            schemas.putAll(one.referencedSchemas);
+            choice.addOneOfItem(one.schema);
+            choice.getDiscriminator().mapping(name, one.schema.get$ref());
+        });
+        schemas.put(type.getSimpleName(), choice);
     }
 
     /** What is sent and what is answered differ in what has to be there: as if requests were bodies of one operation. */

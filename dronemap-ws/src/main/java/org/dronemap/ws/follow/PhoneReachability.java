@@ -1,21 +1,20 @@
-package org.dronemap.ws.stream;
+package org.dronemap.ws.follow;
 
 import java.util.HashMap;
 import java.util.Iterator;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import org.dronemap.core.operation.ReporterState;
-import org.java_websocket.framing.CloseFrame;
+import org.dronemap.ws.stream.StreamConnection;
+import org.dronemap.ws.stream.StreamConnectionListener;
+import org.dronemap.ws.stream.StreamEnding;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Tells follows whether the followed phone, connected to the stream, is reporting, asleep, cut off or gone. Any thread:
  * what is told last of a phone is what is known last, so one at a time; rounds belong to the pump.
  */
-final class PhoneReachability {
-    /** With this code a page ends a connection that seems dead to it, to connect anew. */
-    static final int CONNECTS_ANEW = 4000;
-
+final class PhoneReachability implements StreamConnectionListener {
     private static final long ROUND_NANOS = TimeUnit.SECONDS.toNanos(1);
     private static final long QUIET_NANOS = TimeUnit.MILLISECONDS.toNanos(2_500);
     private static final long DEAF_NANOS = TimeUnit.MILLISECONDS.toNanos(3_500);
@@ -34,7 +33,9 @@ final class PhoneReachability {
 
     /** {@code withReported}: how it was said to be reached last; null: not yet. */
     private record Phone(
-            StreamClient client, long sentNanos, @Nullable ReporterState withReported) {
+            StreamConnection client,
+            long sentNanos,
+            @Nullable ReporterState withReported) {
         Phone withReported(ReporterState reach) {
             return new Phone(client, sentNanos, reach);
         }
@@ -45,23 +46,24 @@ final class PhoneReachability {
     }
 
     /** This client said where the phone of that follow is, or that it is there. */
-    synchronized void received(StreamClient client, String follow, long nowNanos) {
-        Phone before = phones.put(follow, new Phone(client, nowNanos, ReporterState.SPEAKS));
+    synchronized void received(StreamConnection client, String follow) {
+        Phone before = phones.put(follow, new Phone(client, client.nowNanos(), ReporterState.SPEAKS));
         if (before == null || before.withReported() != ReporterState.SPEAKS) {
             follows.reached(follow, ReporterState.SPEAKS);
         }
     }
 
     /**
-     * Its connection has ended; {@code remote}: at its own wish. One that breaks off right after it has answered was ended
-     * at the phone: a network that is gone says nothing at all.
+     * One that breaks off right after it has answered was ended at the phone: a network that is gone says nothing at all.
      */
-    synchronized void disconnected(StreamClient client, int code, boolean remote, long nowNanos) {
-        boolean broken = !remote && code == CloseFrame.ABNORMAL_CLOSE;
-        if (code == CONNECTS_ANEW || (!remote && !broken)) {
+    @Override
+    public synchronized void disconnected(StreamConnection client, StreamEnding ending) {
+        boolean broken = ending == StreamEnding.BROKEN;
+        if (!broken && ending != StreamEnding.LEFT) {
             // It did not wish to go: it is back soon, or rounds find out that it is not.
             return;
         }
+        long nowNanos = client.nowNanos();
         for (Iterator<Map.Entry<String, Phone>> all = phones.entrySet().iterator(); all.hasNext(); ) {
             Map.Entry<String, Phone> one = all.next();
             Phone phone = one.getValue();
@@ -76,7 +78,8 @@ final class PhoneReachability {
     }
 
     /** Asks each connection for a sign of life once a second, and says what has changed. */
-    synchronized void round(long nowNanos) {
+    @Override
+    public synchronized void round(long nowNanos) {
         if (nowNanos - roundNanos < ROUND_NANOS) {
             return;
         }

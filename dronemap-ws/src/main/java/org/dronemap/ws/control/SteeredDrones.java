@@ -1,4 +1,4 @@
-package org.dronemap.ws.stream;
+package org.dronemap.ws.control;
 
 import java.util.HashMap;
 import java.util.LinkedHashMap;

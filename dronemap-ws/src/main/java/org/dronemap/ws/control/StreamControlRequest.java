@@ -1,10 +1,9 @@
-package org.dronemap.ws.stream;
+package org.dronemap.ws.control;
 
 import com.fasterxml.jackson.annotation.JsonSubTypes;
 import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import io.swagger.v3.oas.annotations.media.Schema;
 import jakarta.validation.constraints.Size;
-import org.dronemap.ws.control.ControlRequest;
 import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
@@ -25,7 +24,7 @@ import tools.jackson.databind.annotation.JsonTypeResolver;
 @Schema(
         name = "StreamControlRequest",
         description = "Does something about who has control of a drone; which members there are depends on the action.")
-sealed interface StreamControlRequest extends StreamRequest {
+sealed interface StreamControlRequest extends ControlStreamOperation.ControlRequestType {
     /** What REST would be asked for. */
     ControlRequest asked();
 
@@ -37,11 +36,6 @@ sealed interface StreamControlRequest extends StreamRequest {
     /** For people. */
     default @Nullable String reason() {
         return null;
-    }
-
-    @Override
-    default StreamRequestKind kind() {
-        return StreamRequestKind.CONTROL;
     }
 
     @Schema(name = "StreamControlTakeRequest", description = "Takes control where nobody has it.")

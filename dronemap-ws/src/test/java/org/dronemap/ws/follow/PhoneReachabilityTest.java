@@ -1,13 +1,15 @@
-package org.dronemap.ws.stream;
+package org.dronemap.ws.follow;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.lang.reflect.Proxy;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.dronemap.core.access.Principal;
 import org.dronemap.core.operation.ReporterState;
-import org.java_websocket.WebSocket;
-import org.java_websocket.framing.CloseFrame;
+import org.dronemap.ws.stream.StreamConnection;
+import org.dronemap.ws.stream.StreamEnding;
 import org.junit.jupiter.api.Test;
 
 class PhoneReachabilityTest {
@@ -21,22 +23,43 @@ class PhoneReachabilityTest {
         told.add(follow + " " + how);
         return underWay;
     });
-    private final StreamClient client = client();
+    private final PhoneConnection client = new PhoneConnection();
 
-    private StreamClient client() {
-        WebSocket socket = (WebSocket) Proxy.newProxyInstance(
-                WebSocket.class.getClassLoader(), new Class<?>[] {WebSocket.class}, (proxy, method, arguments) -> {
-                    asked.add(method.getName());
-                    return method.getReturnType() == boolean.class ? Boolean.TRUE : null;
-                });
-        return new StreamClient(socket, now);
+    /** Connection of a phone that answers when it is told to. */
+    private final class PhoneConnection implements StreamConnection {
+        private long answeredNanos = now;
+
+        @Override
+        public Optional<Principal> principal() {
+            return Optional.empty();
+        }
+
+        @Override
+        public void probe() {
+            asked.add("probe");
+        }
+
+        @Override
+        public long answeredNanos() {
+            return answeredNanos;
+        }
+
+        @Override
+        public long nowNanos() {
+            return now;
+        }
+
+        @Override
+        public <T> T attachment(Class<T> type, Supplier<T> initial) {
+            throw new UnsupportedOperationException();
+        }
     }
 
     private void pass(int seconds, boolean answers) {
         for (int second = 0; second < seconds; second++) {
             now += SECOND;
             if (answers) {
-                client.answered(now);
+                client.answeredNanos = now;
             }
             phones.round(now);
         }
@@ -49,73 +72,73 @@ class PhoneReachabilityTest {
 
     @Test
     void takesOneThatAnswersAndSaysNothingForAsleep() {
-        phones.received(client, "f1", now);
+        phones.received(client, "f1");
         pass(2, true);
         assertThat(last()).isEqualTo(ReporterState.SPEAKS);
         pass(60, true);
         assertThat(last()).isEqualTo(ReporterState.ASLEEP);
-        phones.received(client, "f1", now);
+        phones.received(client, "f1");
         assertThat(last()).isEqualTo(ReporterState.SPEAKS);
-        assertThat(asked).contains("sendPing");
+        assertThat(asked).contains("probe");
     }
 
     @Test
     void takesOneThatDoesNotAnswerForCut() {
-        phones.received(client, "f1", now);
+        phones.received(client, "f1");
         pass(4, false);
         assertThat(last()).isEqualTo(ReporterState.CUT);
-        phones.disconnected(client, CloseFrame.ABNORMAL_CLOSE, false, now);
+        phones.disconnected(client, StreamEnding.BROKEN);
         assertThat(last()).isEqualTo(ReporterState.CUT);
     }
 
     @Test
     void takesOneThatSleptBeforeItsConnectionFellSilentForAsleep() {
-        phones.received(client, "f1", now);
+        phones.received(client, "f1");
         pass(5, true);
         pass(20, false);
         assertThat(last()).isEqualTo(ReporterState.ASLEEP);
-        phones.received(client, "f1", now);
+        phones.received(client, "f1");
         pass(4, false);
         assertThat(last()).isEqualTo(ReporterState.CUT);
     }
 
     @Test
     void takesOneThatEndsItsConnectionForGone() {
-        phones.received(client, "f1", now);
-        phones.disconnected(client, CloseFrame.GOING_AWAY, true, now);
+        phones.received(client, "f1");
+        phones.disconnected(client, StreamEnding.LEFT);
         assertThat(told).containsExactly("f1 SPEAKS", "f1 GONE");
     }
 
     /** Its last frame is lost with its connection when the server writes into it at that moment. */
     @Test
     void takesOneThatBreaksOffInMidSpeechForGoneAndOneThatHadFallenSilentForCut() {
-        phones.received(client, "f1", now);
+        phones.received(client, "f1");
         pass(1, true);
-        phones.disconnected(client, CloseFrame.ABNORMAL_CLOSE, false, now);
+        phones.disconnected(client, StreamEnding.BROKEN);
         assertThat(last()).isEqualTo(ReporterState.GONE);
-        phones.received(client, "f1", now);
+        phones.received(client, "f1");
         now += 4 * SECOND;
-        phones.disconnected(client, CloseFrame.ABNORMAL_CLOSE, false, now);
+        phones.disconnected(client, StreamEnding.BROKEN);
         assertThat(last()).isEqualTo(ReporterState.CUT);
     }
 
     @Test
     void waitsForOneWhosePageConnectsAnew() {
-        phones.received(client, "f1", now);
+        phones.received(client, "f1");
         pass(9, true);
         assertThat(last()).isEqualTo(ReporterState.ASLEEP);
-        phones.disconnected(client, PhoneReachability.CONNECTS_ANEW, true, now);
+        phones.disconnected(client, StreamEnding.RECONNECTING);
         pass(1, false);
         assertThat(last()).isEqualTo(ReporterState.ASLEEP);
-        phones.received(client(), "f1", now);
+        phones.received(new PhoneConnection(), "f1");
         assertThat(last()).isEqualTo(ReporterState.SPEAKS);
         assertThat(told).doesNotContain("f1 GONE");
     }
 
     @Test
     void takesOneThatSaidThatItConnectsAnewAndDoesNotForCut() {
-        phones.received(client, "f1", now);
-        phones.disconnected(client, PhoneReachability.CONNECTS_ANEW, true, now);
+        phones.received(client, "f1");
+        phones.disconnected(client, StreamEnding.RECONNECTING);
         pass(4, false);
         assertThat(last()).isEqualTo(ReporterState.CUT);
     }
@@ -123,9 +146,9 @@ class PhoneReachabilityTest {
     /** As one whose page reads too slowly, since it stands still. */
     @Test
     void doesNotTakeOneForGoneWhoseConnectionTheServerEnds() {
-        phones.received(client, "f1", now);
+        phones.received(client, "f1");
         pass(9, true);
-        phones.disconnected(client, CloseFrame.POLICY_VALIDATION, false, now);
+        phones.disconnected(client, StreamEnding.EXPELLED);
         pass(4, false);
         assertThat(last()).isEqualTo(ReporterState.ASLEEP);
         assertThat(told).doesNotContain("f1 GONE");
@@ -133,16 +156,16 @@ class PhoneReachabilityTest {
 
     @Test
     void asksNothingOfTheOldConnectionOfOneThatIsThereAnew() {
-        phones.received(client, "f1", now);
-        StreamClient anew = client();
-        phones.received(anew, "f1", now);
-        phones.disconnected(client, CloseFrame.ABNORMAL_CLOSE, false, now);
+        phones.received(client, "f1");
+        PhoneConnection anew = new PhoneConnection();
+        phones.received(anew, "f1");
+        phones.disconnected(client, StreamEnding.BROKEN);
         assertThat(last()).isEqualTo(ReporterState.SPEAKS);
     }
 
     @Test
     void forgetsThoseWhoseFollowIsOver() {
-        phones.received(client, "f1", now);
+        phones.received(client, "f1");
         underWay = false;
         pass(2, true);
         told.clear();
