@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import random
 import shutil
 import signal
 import socket
@@ -17,6 +18,12 @@ JARS = ("dronemap-ws/target/dronemap.jar", "dronemap-sim/target/dronemap-sim.jar
 SOON = "-XX:TieredStopAtLevel=1"
 # The files that take longest begin first, or one process is still at them when the others have nothing left.
 LONGEST = ("test_life", "test_records", "test_full_disk", "test_public", "test_trouble", "test_trials")
+# Below those of the end-to-end tests, and below those that systems give to whoever asks for any (from 32768 on).
+LOWEST_PORT, HIGHEST_PORT = 15_600, 20_000
+WORKERS = int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))
+WORKER = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
+
+_given: set[int] = set()
 
 needs_root = pytest.mark.skipif(
     os.geteuid() != 0, reason="mounts, namespaces and other users need root rights"
@@ -48,10 +55,17 @@ def small_disk(folder: Path, size: str) -> Iterator[Path]:
 
 
 def free_port(kind: int = socket.SOCK_STREAM) -> int:
-    with socket.socket(socket.AF_INET, kind) as probe:
-        probe.bind(("127.0.0.1", 0))
-        port: int = probe.getsockname()[1]
-        return port
+    """None that the system gives to whoever asks for any: a server that is started again must find its port free."""
+    while True:
+        port = random.randrange(LOWEST_PORT + WORKER, HIGHEST_PORT, WORKERS)
+        with socket.socket(socket.AF_INET, kind) as probe:
+            try:
+                probe.bind(("0.0.0.0", port))
+            except OSError:
+                continue
+        if port not in _given:
+            _given.add(port)
+            return port
 
 
 @dataclass
