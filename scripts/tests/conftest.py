@@ -18,7 +18,7 @@ JARS = ("dronemap-ws/target/dronemap.jar", "dronemap-sim/target/dronemap-sim.jar
 SOON = "-XX:TieredStopAtLevel=1"
 # The files that take longest begin first, or one process is still at them when the others have nothing left.
 LONGEST = ("test_life", "test_records", "test_full_disk", "test_public", "test_trouble", "test_trials")
-# Below those of the end-to-end tests, and below those that systems give to whoever asks for any (from 32768 on).
+# Below those of the end-to-end tests, and those (from 32768 on) that systems give to whoever asks for any.
 LOWEST_PORT, HIGHEST_PORT = 15_600, 20_000
 WORKERS = int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))
 WORKER = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
@@ -55,7 +55,7 @@ def small_disk(folder: Path, size: str) -> Iterator[Path]:
 
 
 def free_port(kind: int = socket.SOCK_STREAM) -> int:
-    """None that the system gives to whoever asks for any: a server that is started again must find its port free."""
+    """None that a system gives to whoever asks for any: a server started again must find its port free."""
     while True:
         port = random.randrange(LOWEST_PORT + WORKER, HIGHEST_PORT, WORKERS)
         with socket.socket(socket.AF_INET, kind) as probe:
