@@ -4,7 +4,7 @@ Usage: bill_of_materials.py [OUT.json]     after a build; without a name to the 
 
 Asks nobody: reads the jar, the local Maven repository that it was put together from (which alone knows
 the coordinates of a library that does not say them itself), the page's lock file, and what the signer of
-sdk-python asks for.
+signing-relay asks for.
 """
 
 import base64
@@ -21,7 +21,7 @@ from urllib.parse import quote
 ROOT = Path(__file__).resolve().parents[1]
 JAR = ROOT / "dronemap-ws" / "target" / "dronemap.jar"
 LOCK = ROOT / "web-client" / "package-lock.json"
-SIGNER = ROOT / "sdk-python" / "pyproject.toml"
+SIGNER = ROOT / "signing-relay" / "pyproject.toml"
 LIBRARIES = "BOOT-INF/lib/"
 OWN = "dronemap-"
 # Put in by what packs the jar, which carries it inside itself: it is never fetched by its own name.

@@ -45,10 +45,10 @@ def signing_relay(server: Server, tmp_path: Path) -> Iterator[Sign]:
             started.append(
                 subprocess.Popen(
                     [
-                        *(sys.executable, "-m", "dronemap_attach"),
+                        *(sys.executable, "-m", "dronemap_signing_relay"),
                         *("--server", f"udp:127.0.0.1:{server.outlet_udp_port}", "--to", f"127.0.0.1:{port}"),
                     ],
-                    cwd=ROOT / "sdk-python",
+                    cwd=ROOT / "signing-relay",
                     env=os.environ | {"DRONEMAP_PASSPHRASE": user.passphrase},
                     stdout=log,
                     stderr=log,

@@ -39,7 +39,7 @@ def test_worker_count_is_set_in_one_place() -> None:
     assert len(poms) > 5
     for pom in poms:
         assert "forkCount" not in pom.read_text(), pom
-    for project in ("bench", "e2e", "ros-bridge", "scripts", "sdk-python"):
+    for project in ("bench", "e2e", "ros-bridge", "scripts", "sdk-python", "signing-relay"):
         settings = tomllib.loads((ROOT / project / "pyproject.toml").read_text())
         options = settings["tool"]["pytest"]["ini_options"]["addopts"]
         assert not re.search(r"-n (?!auto)", options), project

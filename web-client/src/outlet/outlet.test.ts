@@ -86,7 +86,7 @@ describe('the settings of programs', () => {
     expect(only?.lines[0]?.text).toBe('mavproxy.py --mav20 --master=tcp:127.0.0.1:5790');
     expect(settingsFor([], null)).toEqual([]);
     expect(signerFor(outletAddresses(ENDPOINTS, 'cloud.example'))).toBe(
-      'python -m dronemap_attach --server udp:cloud.example:14560',
+      'python -m dronemap_signing_relay --server udp:cloud.example:14560',
     );
     expect(signerFor([])).toBeNull();
   });

@@ -46,7 +46,7 @@ export function signerFor(addresses: readonly OutletAddress[]): string | null {
   const way = addresses.find((one) => one.scheme === 'udp' || one.scheme === 'tcp');
   return way === undefined
     ? null
-    : `python -m dronemap_attach --server ${way.scheme}:${way.host}:${way.port}`;
+    : `python -m dronemap_signing_relay --server ${way.scheme}:${way.host}:${way.port}`;
 }
 
 /** Exact settings of the usual programs; `passphrase` null: it is not known here any more. */

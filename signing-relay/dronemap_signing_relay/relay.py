@@ -10,7 +10,7 @@ from .addresses import Address
 from .bridge import Bridge
 from .signing import Signing
 
-LOG = logging.getLogger("dronemap_attach")
+LOG = logging.getLogger("dronemap_signing_relay")
 LARGEST = 65_535
 HEARTBEAT_SECONDS = 1.0
 RETRY_SECONDS = 2.0

@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 from pymavlink.dialects.v20 import all as dialect
 
-from dronemap_attach.__main__ import arguments, passphrase, relay
-from dronemap_attach.addresses import Address, parse_address, parse_local_address
+from dronemap_signing_relay.__main__ import arguments, passphrase, relay
+from dronemap_signing_relay.addresses import Address, parse_address, parse_local_address
 
 from .test_signing import PASSPHRASE, pymavlink_link
 

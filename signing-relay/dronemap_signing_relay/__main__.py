@@ -1,4 +1,4 @@
-"""python -m dronemap_attach: attaches a tool that cannot sign."""
+"""python -m dronemap_signing_relay: attaches a tool that cannot sign."""
 
 import argparse
 import getpass
@@ -35,7 +35,7 @@ def _number(text: str) -> int:
 
 def arguments(given: Sequence[str] | None = None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
-        prog="dronemap_attach",
+        prog="dronemap_signing_relay",
         description="Attaches a tool that cannot sign to the outlet of a Dronemap server: signs what the tool"
         " says, and checks what the server has signed."
         f" The passphrase is asked for, or taken from {VARIABLE}.",

@@ -8,9 +8,9 @@ import pytest
 from pymavlink.dialects.v10 import common as older
 from pymavlink.dialects.v20 import all as dialect
 
-from dronemap_attach.bridge import Bridge
-from dronemap_attach.frames import Splitter, as_version_2, checksum, split_datagram, unsigned
-from dronemap_attach.signing import TICKS_PER_SECOND, Signing, wall_ticks
+from dronemap_signing_relay.bridge import Bridge
+from dronemap_signing_relay.frames import Splitter, as_version_2, checksum, split_datagram, unsigned
+from dronemap_signing_relay.signing import TICKS_PER_SECOND, Signing, wall_ticks
 
 PASSPHRASE = "correct horse battery"
 MINUTE = 60 * TICKS_PER_SECOND

@@ -1,0 +1,112 @@
+"""A server, for programs that do not await."""
+
+from collections.abc import Iterator
+
+from dronemap.client import PATIENCE_SECONDS, AsyncDronemap
+from dronemap.contract.models import FollowPlaceRequest, PlanRequest
+from dronemap.mission import Mission
+from dronemap.stream import DroneChange
+from dronemap.sync.drone import Drone
+from dronemap.sync.loop import LoopThread
+from dronemap.sync.operations import SyncOperations
+from dronemap.sync.tracked import Follow, Plan, Run, VirtualDrone
+from dronemap.transport import Transport
+
+
+class Dronemap:
+    """A Dronemap server. `with Dronemap.connect() as server:` closes its connections at the end."""
+
+    def __init__(self, awaited: AsyncDronemap) -> None:
+        self._loop = LoopThread()
+        self._awaited = awaited
+        self.rest = SyncOperations(self._loop, awaited.rest)
+
+    @classmethod
+    def connect(
+        cls,
+        url: str | None = None,
+        key: str | None = None,
+        *,
+        certificate: str | None = None,
+        profile: str | None = None,
+        transport: Transport | None = None,
+        patience: float = PATIENCE_SECONDS,
+        rate: float | None = None,
+    ) -> "Dronemap":
+        """A server by its address and an access key, or by the environment or a file (`find_server`).
+
+        `certificate` is the file of an authority to trust in addition; `patience` seconds are tried again for what
+        fails and cannot act twice; `rate` is how often a second each drone is told of at most, 1 to 50.
+        """
+        return cls(
+            AsyncDronemap.connect(
+                url,
+                key,
+                certificate=certificate,
+                profile=profile,
+                transport=transport,
+                patience=patience,
+                rate=rate,
+            )
+        )
+
+    @property
+    def server_version(self) -> str | None:
+        """As the server said with its last answer; None before the first."""
+        return self._awaited.server_version
+
+    def drones(self) -> list[Drone]:
+        """All drones that this user sees, in the order of their names."""
+        return [Drone(self._loop, drone) for drone in self._loop.run(self._awaited.drones())]
+
+    def drone(self, name: str | None = None) -> Drone:
+        """The drone of that name or id; without one, the only or first drone."""
+        return Drone(self._loop, self._loop.run(self._awaited.drone(name)))
+
+    def changes(self) -> Iterator[DroneChange]:
+        """All drones, and each again when it changes; the newest state wins."""
+
+        async def begun() -> Iterator[DroneChange]:
+            return self._loop.iterate(self._awaited.changes())
+
+        return self._loop.run(begun())
+
+    def plan(self, request: PlanRequest) -> Plan:
+        """Shares waypoints out among drones; the search goes on at the server."""
+        return Plan(self._loop, self._loop.run(self._awaited.plan(request)))
+
+    def runs(self) -> list[Run]:
+        return [Run(self._loop, run) for run in self._loop.run(self._awaited.runs())]
+
+    def run(self, id: str) -> Run:
+        return Run(self._loop, self._loop.run(self._awaited.run(id)))
+
+    def follow(
+        self,
+        latitude: float,
+        longitude: float,
+        *,
+        drone: str | None = None,
+        minutes: float | None = None,
+        place: FollowPlaceRequest | None = None,
+        name: str | None = None,
+    ) -> Follow:
+        """Asks for a drone that follows; without `drone` the server chooses one of the warehouse."""
+        asked = self._awaited.follow(latitude, longitude, drone=drone, minutes=minutes, place=place, name=name)
+        return Follow(self._loop, self._loop.run(asked))
+
+    def virtual_drones(self) -> list[VirtualDrone]:
+        return [VirtualDrone(self._loop, drone) for drone in self._loop.run(self._awaited.virtual_drones())]
+
+    def add_virtual_drone(self, name: str, mission: Mission | None = None) -> VirtualDrone:
+        return VirtualDrone(self._loop, self._loop.run(self._awaited.add_virtual_drone(name, mission)))
+
+    def close(self) -> None:
+        self._loop.run(self._awaited.close())
+        self._loop.close()
+
+    def __enter__(self) -> "Dronemap":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()

@@ -1,0 +1,94 @@
+"""Loosens what a server answers, so that a client understands servers that are older or newer than itself."""
+
+from collections.abc import Iterator
+from copy import deepcopy
+from typing import Any
+
+from pydantic.alias_generators import to_camel, to_snake
+
+Schema = dict[str, Any]
+_PREFIX = "#/components/schemas/"
+
+
+def opened(description: Schema) -> Schema:
+    """The description with every answer readable that an older or a newer server may give.
+
+    What is not known may be left out, a value that this client has no name for stays text, and of several kinds of
+    an object one may be of a kind that it does not know. What clients send stays as strict as it is.
+    """
+    loose = deepcopy(description)
+    schemas = loose["components"]["schemas"]
+    for name in _reached(loose, _answers(loose)):
+        schema = schemas[name]
+        if "oneOf" in schema:
+            schema.pop("discriminator", None)
+            schema["oneOf"].append({"type": "object", "additionalProperties": True})
+        properties = schema.get("properties", {})
+        for member, value in properties.items():
+            properties[member] = _open_values(value)
+        if "required" in schema:
+            schema["required"] = [m for m in schema["required"] if not _nullable(properties[m])]
+    return loose
+
+
+def in_pythons_way(description: Schema) -> Schema:
+    """The description with members called as in Python wherever their names on the wire follow from that."""
+    renamed = deepcopy(description)
+    for schema in renamed["components"]["schemas"].values():
+        if "properties" in schema:
+            schema["properties"] = {_in_python(m): value for m, value in schema["properties"].items()}
+        if "required" in schema:
+            schema["required"] = [_in_python(member) for member in schema["required"]]
+    return renamed
+
+
+def _in_python(member: str) -> str:
+    name = to_snake(member)
+    return name if to_camel(name) == member else member
+
+
+def _open_values(value: Schema) -> Schema:
+    if "items" in value:
+        return value | {"items": _open_values(value["items"])}
+    names = [name for name in value.get("enum", []) if name is not None]
+    if len(names) < 2 or not isinstance(names[0], str):
+        return value
+    kinds: list[Schema] = [{"type": "string", "enum": names}, {"type": "string"}]
+    if None in value["enum"]:
+        kinds.append({"type": "null"})
+    return {"anyOf": kinds} | {k: v for k, v in value.items() if k == "description"}
+
+
+def _nullable(value: Schema) -> bool:
+    kind = value.get("type")
+    return (isinstance(kind, list) and "null" in kind) or {"type": "null"} in value.get("anyOf", [])
+
+
+def _answers(description: Schema) -> Iterator[Schema]:
+    for operations in description["paths"].values():
+        for operation in operations.values():
+            for status, response in operation["responses"].items():
+                if status.startswith("2") or status == "default":
+                    yield response
+            yield from (r for s, r in operation["responses"].items() if s.startswith(("4", "5")))
+
+
+def _reached(description: Schema, roots: Iterator[Schema]) -> list[str]:
+    schemas = description["components"]["schemas"]
+    found: list[str] = []
+    waiting = [name for root in roots for name in _references(root)]
+    while waiting:
+        name = waiting.pop()
+        if name not in found:
+            found.append(name)
+            waiting += _references(schemas[name])
+    return found
+
+
+def _references(value: Any) -> list[str]:
+    if isinstance(value, dict):
+        own = [value["$ref"].removeprefix(_PREFIX)] if "$ref" in value else []
+        return own + [name for part in value.values() for name in _references(part)]
+    if isinstance(value, list):
+        return [name for part in value for name in _references(part)]
+    return []
