@@ -188,6 +188,10 @@ class AsyncDrone:
             await states.aclose()
 
     async def _done(self, command: Command) -> None:
+        action = self.state.actions.get(command.type)
+        if action is not None and action.mode is not None:
+            # The vehicle takes it in another mode only, such as arming after a return.
+            await (await self.give(SetModeCommand(mode=action.mode))).wait()
         await (await self.give(command)).wait()
 
     def under(self, epoch: Callable[[], int | None]) -> "AsyncDrone":
