@@ -45,7 +45,7 @@ def find_server(
     address = url or environment.get("DRONEMAP_URL") or kept.get("url") or _LOCAL
     host = _host(address)
     found = key or environment.get("DRONEMAP_KEY")
-    if found is None and (url is None or url == kept.get("url")):
+    if found is None and address == kept.get("url", address):
         found = kept.get("key")
     if found is None and host in ("127.0.0.1", "localhost", "::1"):
         found = _local_key()
