@@ -3,14 +3,15 @@
 Usage: bill_of_materials.py [OUT.json]     after a build; without a name to the standard output
 
 Asks nobody: reads the jar, the local Maven repository that it was put together from (which alone knows
-the coordinates of a library that does not say them itself), the page's lock file, and what the signer of
-signing-relay asks for.
+the coordinates of a library that does not say them itself), the page's lock file, and what the signing relay
+and the Python client ask for, in the versions that they are tested with.
 """
 
 import base64
 import hashlib
 import json
 import os
+import re
 import sys
 import tomllib
 import zipfile
@@ -21,7 +22,8 @@ from urllib.parse import quote
 ROOT = Path(__file__).resolve().parents[1]
 JAR = ROOT / "dronemap-ws" / "target" / "dronemap.jar"
 LOCK = ROOT / "web-client" / "package-lock.json"
-SIGNER = ROOT / "signing-relay" / "pyproject.toml"
+PYTHON = (ROOT / "signing-relay" / "pyproject.toml", ROOT / "sdk-python" / "pyproject.toml")
+TESTED = ROOT / "scripts" / "requirements-test.txt"
 LIBRARIES = "BOOT-INF/lib/"
 OWN = "dronemap-"
 # Put in by what packs the jar, which carries it inside itself: it is never fetched by its own name.
@@ -88,12 +90,22 @@ def postgres(packed: str) -> Component:
     }
 
 
-def signer(project: Path) -> list[Component]:
-    """Packages that pip fetches beside the signer; pinned."""
-    wanted = tomllib.loads(project.read_text())["project"]["dependencies"]
+def of_python(projects: tuple[Path, ...], tested: Path) -> list[Component]:
+    """Packages that pip fetches beside these projects."""
+    versions = dict(line.split("==") for line in tested.read_text().split())
+    wanted = [
+        re.split(r"[<>=]", dependency)[0]
+        for project in projects
+        for dependency in tomllib.loads(project.read_text())["project"]["dependencies"]
+    ]
     return [
-        {"type": "library", "name": name, "version": version, "purl": f"pkg:pypi/{name}@{version}"}
-        for name, version in (each.split("==") for each in wanted)
+        {
+            "type": "library",
+            "name": name,
+            "version": versions[name],
+            "purl": f"pkg:pypi/{name}@{versions[name]}",
+        }
+        for name in wanted
     ]
 
 
@@ -127,7 +139,7 @@ def bill(jar: Path = JAR, lock: Path = LOCK) -> dict[str, Any]:
         "specVersion": "1.5",
         "version": 1,
         "metadata": {"component": {"type": "application", "name": "dronemap"}},
-        "components": of_java + programs(of_java) + packages(lock) + signer(SIGNER),
+        "components": of_java + programs(of_java) + packages(lock) + of_python(PYTHON, TESTED),
     }
 
 

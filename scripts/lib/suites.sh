@@ -246,15 +246,6 @@ suite_python_checks() {
         check python "format $project" env -C "$ROOT/$project" "$PYTHON/ruff" format --no-cache --check .
         check python "mypy $project" env -C "$ROOT/$project" "$PYTHON/mypy" --cache-dir "$TOOLS/mypy/$project" .
     done < <(python_projects)
-    check python "types of REST" python_types_of_rest
-}
-
-# What a client in Python makes of the pinned description of REST is typed without a gap. Kept nowhere.
-python_types_of_rest() {
-    local types=$TEST_LOGS/types_of_rest.py
-    "$PYTHON/datamodel-codegen" --input "$ROOT/dronemap-ws/src/test/resources/wire/openapi.json" --input-file-type openapi \
-        --output-model-type pydantic_v2.BaseModel --use-annotated --target-python-version 3.11 --formatters builtin --output "$types" &&
-        "$PYTHON/mypy" --strict --cache-dir "$TOOLS/mypy/types-of-rest" "$types"
 }
 
 # Two test modules of different projects may share a name, so each runs apart. The jars are the ones the Java suite built.

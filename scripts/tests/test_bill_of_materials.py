@@ -31,7 +31,7 @@ def test_bill_names_jar_libraries_and_page_packages() -> None:
     assert all(re.fullmatch(r"[0-9a-f]{64,128}", each["hashes"][0]["content"]) for each in hashed)
 
 
-def test_bill_names_packed_libraries_and_signer_packages() -> None:
+def test_bill_names_packed_libraries_and_python_packages() -> None:
     components = bill_of_materials.bill()["components"]
     packed = {
         each["version"] for each in components if each["name"].startswith("embedded-postgres-binaries-")
@@ -41,8 +41,8 @@ def test_bill_names_packed_libraries_and_signer_packages() -> None:
     ]
     assert {f"{postgres['version']}.0"} == packed
     assert postgres["cpe"] == f"cpe:2.3:a:postgresql:postgresql:{postgres['version']}:*:*:*:*:*:*:*"
-    signer = {each["name"] for each in components if PIP.fullmatch(each["purl"])}
-    assert signer == {"pymavlink"}
+    of_python = {each["name"] for each in components if PIP.fullmatch(each["purl"])}
+    assert of_python == {"pymavlink", "httpx", "websockets", "pydantic", "click", "rich"}
 
 
 def test_bill_without_build_is_refused(tmp_path: Path) -> None:
