@@ -10,6 +10,7 @@ Item = TypeVar("Item")
 
 #: So many changes wait for a reader that must not miss one.
 _MOST_WAITING = 10_000
+_BATCH_SECONDS = 0.02
 
 
 class Reader(AsyncIterator[Item], Generic[Item]):
@@ -26,6 +27,7 @@ class Reader(AsyncIterator[Item], Generic[Item]):
         self._count = 0
         self._some = asyncio.Event()
         self._end: Exception | None = None
+        self._batched = 0.0
 
     def put(self, item: Item) -> None:
         if self._key is None:
@@ -52,6 +54,19 @@ class Reader(AsyncIterator[Item], Generic[Item]):
             self._some.clear()
             await self._some.wait()
         return self._waiting.pop(next(iter(self._waiting)))
+
+    async def batch(self) -> list[Item]:
+        """All that waits, at least one; `StopAsyncIteration` at the end.
+
+        Who comes back at once waits for a moment, so that it is not woken for each of many.
+        """
+        loop = asyncio.get_running_loop()
+        await asyncio.sleep(max(0.0, self._batched + _BATCH_SECONDS - loop.time()))
+        first = await anext(self)
+        self._batched = loop.time()
+        others = list(self._waiting.values())
+        self._waiting.clear()
+        return [first, *others]
 
     def close(self) -> None:
         self._on_close(self)

@@ -6,6 +6,7 @@ import random
 from collections.abc import Awaitable, Callable, Hashable
 from typing import Any
 
+from pydantic.alias_generators import to_camel
 from pydantic_core import from_json
 
 from dronemap.contract.models import DroneView
@@ -20,14 +21,40 @@ _FIRST_PAUSE = 0.3
 _LONGEST_PAUSE = 3.0
 
 
+class StateReader:
+    """Reads the states of one drone; parts that are as they were the last time are not read again."""
+
+    _NAMES = {field.alias or to_camel(name): name for name, field in DroneView.model_fields.items()}
+
+    def __init__(self) -> None:
+        # One value, since several threads may read.
+        self._last: tuple[Message, DroneView] | None = None
+
+    def read(self, members: Message) -> DroneView:
+        state = DroneView.model_validate(members | self._unchanged(members))
+        self._last = (members, state)
+        return state
+
+    def _unchanged(self, members: Message) -> Message:
+        if self._last is None:
+            return {}
+        before, state = self._last
+        return {
+            member: getattr(state, self._NAMES[member])
+            for member, value in members.items()
+            if isinstance(value, (dict, list)) and member in self._NAMES and before.get(member) == value
+        }
+
+
 class DroneChange:
     """A drone as it was said last; read into its type when somebody looks at it."""
 
-    __slots__ = ("_members", "_state", "id")
+    __slots__ = ("_members", "_reader", "_state", "id")
 
-    def __init__(self, members: Message) -> None:
+    def __init__(self, members: Message, reader: StateReader) -> None:
         self.id: str = members["id"]
         self._members = members
+        self._reader = reader
         self._state: DroneView | None = None
 
     @property
@@ -37,7 +64,7 @@ class DroneChange:
     @property
     def state(self) -> DroneView:
         if self._state is None:
-            self._state = DroneView.model_validate(self._members)
+            self._state = self._reader.read(self._members)
         return self._state
 
 
@@ -53,6 +80,7 @@ class Stream:
         self._port = port
         self._rate = rate
         self.drones: dict[str, DroneChange] = {}
+        self._readers: dict[str, StateReader] = {}
         self.interruptions = 0
         self._up = asyncio.Event()
         self._task: asyncio.Task[None] | None = None
@@ -165,19 +193,22 @@ class Stream:
                     self._listed(message["drones"])
                 elif kind == "droneRemoved":
                     self.drones.pop(message["id"], None)
+                    self._readers.pop(message["id"], None)
                 for types, reader in self._messages:
                     if kind in types:
                         reader.put(message)
 
     def _listed(self, drones: list[Message]) -> None:
-        self.drones = {drone["id"]: DroneChange(drone) for drone in drones}
+        self._readers = {drone["id"]: self._readers.get(drone["id"]) or StateReader() for drone in drones}
+        self.drones = {drone["id"]: DroneChange(drone, self._readers[drone["id"]]) for drone in drones}
         for change in self.drones.values():
             for reader in self._changes:
                 reader.put(change)
         self._up.set()
 
     def _changed(self, drone: Message) -> None:
-        change = DroneChange(drone)
+        reader = self._readers.setdefault(drone["id"], StateReader())
+        change = DroneChange(drone, reader)
         self.drones[change.id] = change
-        for reader in self._changes:
-            reader.put(change)
+        for waiting in self._changes:
+            waiting.put(change)

@@ -7,6 +7,7 @@ import pytest
 
 from dronemap import AsyncDronemap, Dronemap, DronemapError, Problem, WaitedTooLong
 from dronemap.reader import Reader
+from dronemap.stream import StateReader
 from dronemap.testing import MockTransport
 
 
@@ -111,3 +112,15 @@ def test_reader_that_is_closed_ends() -> None:
         return [item async for item in reader]
 
     assert asyncio.run(read()) == [1]
+
+
+def test_parts_of_a_state_that_stay_are_read_once() -> None:
+    mock = MockTransport()
+    drone = mock._drones[mock.add_drone("alpha", battery={"percent": 80}, gps={"fix": "3D"})]
+    reader = StateReader()
+    first = reader.read(drone)
+    second = reader.read(drone | {"battery": {"percent": 79}, "mode": "RTL", "gps": {"fix": "3D"}})
+    assert second.gps is first.gps
+    assert second.battery is not None and second.battery.percent == 79
+    assert (first.mode, second.mode) == ("GUIDED", "RTL")
+    assert reader.read(drone | {"battery": None}).battery is None

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from dronemap.client import PATIENCE_SECONDS, AsyncDronemap
 from dronemap.contract.models import FollowPlaceRequest, PlanRequest
 from dronemap.mission import Mission
+from dronemap.reader import Reader
 from dronemap.stream import DroneChange
 from dronemap.sync.drone import Drone
 from dronemap.sync.loop import LoopThread
@@ -66,10 +67,10 @@ class Dronemap:
     def changes(self) -> Iterator[DroneChange]:
         """All drones, and each again when it changes; the newest state wins."""
 
-        async def begun() -> Iterator[DroneChange]:
-            return self._loop.iterate(self._awaited.changes())
+        async def begun() -> Reader[DroneChange]:
+            return self._awaited.changes()
 
-        return self._loop.run(begun())
+        return self._loop.read(self._loop.run(begun()))
 
     def plan(self, request: PlanRequest) -> Plan:
         """Shares waypoints out among drones; the search goes on at the server."""

@@ -7,6 +7,7 @@ from concurrent.futures import CancelledError
 from typing import Any, TypeVar
 
 from dronemap.errors import DronemapError
+from dronemap.reader import Reader
 
 Result = TypeVar("Result")
 
@@ -45,6 +46,18 @@ class LoopThread:
         finally:
             if not self._closed:
                 self.run(_close(items))
+
+    def read(self, reader: Reader[Result]) -> Iterator[Result]:
+        """The same for what many come of at a time: the threads change once for all that wait."""
+        try:
+            while True:
+                try:
+                    yield from self.run(reader.batch())
+                except StopAsyncIteration:
+                    return
+        finally:
+            if not self._closed:
+                self.run(reader.aclose())
 
     def close(self) -> None:
         if not self._closed:
