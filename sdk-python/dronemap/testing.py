@@ -176,6 +176,8 @@ class MockTransport:
             case "land" | "returnToLaunch":
                 ground = place | {"altitudeAboveHome": 0.0}
                 self.change(drone, armed=False, flight="onGround", position=ground)
+            case "startMission":
+                self.change(drone, mission={"running": False, "reached": [], "state": "complete"})
             case "setMode":
                 self.change(drone, mode=body["mode"])
 
