@@ -12,7 +12,7 @@ import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which events a client asks for, as query parameters of REST; null or empty: the default.
+ * Query parameters that choose which events a client follows; a null or empty one: the default.
  *
  * @param drones ids with commas between them
  */

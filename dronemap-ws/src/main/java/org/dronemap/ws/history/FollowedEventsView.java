@@ -11,5 +11,5 @@ record FollowedEventsView(
         @Schema(description = "Where events are missing, in order")
         List<EventGapView> gaps,
 
-        @Schema(description = "To go on from, as after; its form is nobody's business")
+        @Schema(description = "To go on from, as after: a text that only the server reads")
         String next) {}
