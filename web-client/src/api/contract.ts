@@ -526,6 +526,32 @@ export interface components {
             name?: string | null;
             organisation?: string | null;
         };
+        EventGap: {
+            /**
+             * Format: int64
+             * @description Events with higher numbers come after the gap; 0: all do
+             */
+            after: number;
+            /** @enum {string} */
+            cause: "notWritten" | "serverEnded" | "restored" | "expired" | "otherSeries";
+            /**
+             * Format: int64
+             * @description How many events are missing, those of drones that are not shown to you included; told to those who run the server; null: not known, or not told
+             */
+            count: number | null;
+            /**
+             * Format: date-time
+             * @description Since when events are missing; null: not known
+             */
+            from: string | null;
+            /** @description The reason, as a sentence */
+            text: string;
+            /**
+             * Format: date-time
+             * @description Until when; null: not known
+             */
+            until: string | null;
+        };
         EventView: {
             /** Format: date-time */
             at: string;
@@ -959,6 +985,14 @@ export interface components {
             state: "allocated" | "starting" | "tracking" | "paused" | "suspended" | "returning" | "over";
             /** @description What it said, the newest 30, the oldest first; first why this drone was chosen */
             told: components["schemas"]["FollowToldView"][];
+        };
+        FollowedEvents: {
+            /** @description By their numbers */
+            events: components["schemas"]["NumberedEvent"][];
+            /** @description Where events are missing, in order */
+            gaps: components["schemas"]["EventGap"][];
+            /** @description To go on from, as after: a text that only the server reads */
+            next: string;
         };
         GiftRequest: {
             /** @description Whether the new owners see flights, recordings, commands and telemetry of before, without names of people */
@@ -1400,6 +1434,28 @@ export interface components {
             password?: string | null;
             /** @enum {string|null} */
             role?: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator" | null;
+        };
+        NumberedEvent: {
+            /** Format: date-time */
+            at: string;
+            by: string | null;
+            /** @description Id of the command */
+            command: string | null;
+            /** @description Id of the drone */
+            drone: string;
+            /** @enum {string} */
+            kind: "armed" | "disarmed" | "mode" | "phase" | "message" | "command" | "mission" | "control";
+            /**
+             * Format: int64
+             * @description Rises from event to event, with numbers left out; below 2^53
+             */
+            number: number;
+            reason: string | null;
+            /** @enum {string|null} */
+            result: "succeeded" | "refused" | "failed" | "timedOut" | "superseded" | "unknown" | null;
+            /** @enum {string|null} */
+            severity: "emergency" | "alert" | "critical" | "error" | "warning" | "notice" | "info" | "debug" | null;
+            text: string;
         };
         OneTimePassword: {
             name: string;
@@ -3262,6 +3318,7 @@ export type EndpointRequest = components['schemas']['EndpointRequest'];
 export type EndpointView = components['schemas']['EndpointView'];
 export type Endpoints = components['schemas']['Endpoints'];
 export type EnrolRequest = components['schemas']['EnrolRequest'];
+export type EventGap = components['schemas']['EventGap'];
 export type EventView = components['schemas']['EventView'];
 export type Events = components['schemas']['Events'];
 export type FenceCircleView = components['schemas']['FenceCircleView'];
@@ -3293,6 +3350,7 @@ export type FollowPositionsRequest = components['schemas']['FollowPositionsReque
 export type FollowReceipt = components['schemas']['FollowReceipt'];
 export type FollowToldView = components['schemas']['FollowToldView'];
 export type FollowView = components['schemas']['FollowView'];
+export type FollowedEvents = components['schemas']['FollowedEvents'];
 export type GiftRequest = components['schemas']['GiftRequest'];
 export type GiftView = components['schemas']['GiftView'];
 export type Gifts = components['schemas']['Gifts'];
@@ -3340,6 +3398,7 @@ export type MissionRequest = components['schemas']['MissionRequest'];
 export type Missions = components['schemas']['Missions'];
 export type NewInvitation = components['schemas']['NewInvitation'];
 export type NewUser = components['schemas']['NewUser'];
+export type NumberedEvent = components['schemas']['NumberedEvent'];
 export type OneTimePassword = components['schemas']['OneTimePassword'];
 export type OnlyGrantedRequest = components['schemas']['OnlyGrantedRequest'];
 export type OrganisationNameRequest = components['schemas']['OrganisationNameRequest'];

@@ -1448,13 +1448,14 @@ export interface components {
             /** @enum {string} */
             type: "followNow";
         };
-        /** @description The first message: who you are. */
+        /** @description The first message: who you are, and the version of the server. */
         StreamHello: {
             /** @enum {string} */
             role: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator";
             /** @enum {string} */
             type: "hello";
             user: string;
+            version: string;
         };
         /** @description Ends what was steered: the vehicle stands still at once. */
         StreamLetGoRequest: {

@@ -54,6 +54,11 @@ public final class HistoryRecorder implements CloudListener {
         return keeping.telemetry();
     }
 
+    /** Called whenever events have been stored, by the thread that stores them; must return soon. */
+    public void onEventsStored(Runnable listener) {
+        keeping.writer().onEventsStored(listener);
+    }
+
     public FlightRegistry flights() {
         return keeping.flights();
     }

@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.LongAdder;
 import org.dronemap.core.time.Loop;
 import org.dronemap.core.time.Time;
@@ -47,9 +48,20 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
     }
 
     /** Telemetry points and events that are written to the store at once. */
-    private record Batch(List<TelemetryPoint> points, List<HistoryEvent> events) {
+    private record Batch(
+            List<TelemetryPoint> points,
+            List<HistoryEvent> events,
+            @Nullable EventLoss lost) {
         int size() {
             return points.size() + events.size();
+        }
+
+        boolean isEmpty() {
+            return size() == 0 && lost == null;
+        }
+
+        boolean changesEvents() {
+            return !events.isEmpty() || lost != null;
         }
     }
 
@@ -59,6 +71,8 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
     private final BlockingQueue<HistoryEvent> events;
     private final LongAdder written = new LongAdder();
     private final LongAdder dropped = new LongAdder();
+    private final EventLossTally losses = new EventLossTally();
+    private final CopyOnWriteArrayList<Runnable> eventListeners = new CopyOnWriteArrayList<>();
     private final Time time;
     private final Loop loop;
     private volatile boolean closed;
@@ -69,6 +83,7 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
     private @Nullable Batch refused;
     private int tries;
     private int refusals;
+    private boolean opened;
 
     public TelemetryWriter(TelemetryStore store, BatchSettings rhythm, Time time) {
         this.store = store;
@@ -95,8 +110,14 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
     @Override
     public void event(HistoryEvent event) {
         if (!events.offer(event)) {
+            losses.add(EventLoss.of(event));
             drop(1);
         }
+    }
+
+    /** Called, on the thread that stores, whenever there are new entries in the series of events; must return soon. */
+    public void onEventsStored(Runnable listener) {
+        eventListeners.add(listener);
     }
 
     /** Any thread. */
@@ -115,24 +136,39 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
 
     /** The batch that was refused goes first. */
     private long turn() {
+        if (!opened && !done(() -> store.openEvents(time.clock().instant()))) {
+            return rhythm.pause().toNanos();
+        }
+        if (!opened) {
+            opened = true;
+            eventListeners.forEach(Runnable::run);
+        }
+        write();
+        // Whoever is ended before that leaves a gap.
+        if (closed && refused == null && events.isEmpty() && losses.isEmpty()) {
+            boolean unused = done(store::closeEvents);
+        }
+        return (refused == null ? rhythm.every() : rhythm.pause()).toNanos();
+    }
+
+    private void write() {
         boolean free = refused == null || triedAgain(refused);
-        for (Batch batch = free ? next() : null; batch != null && batch.size() > 0; batch = next()) {
+        for (Batch batch = free ? next() : null; batch != null && !batch.isEmpty(); batch = next()) {
             underWay = batch.size();
             if (tried(batch)) {
                 underWay = 0;
             } else {
                 refuse(batch);
-                if (!closed) {
+                if (!closed || batch.size() == 0) {
                     break;
                 }
             }
         }
-        return (refused == null ? rhythm.every() : rhythm.pause()).toNanos();
     }
 
     private void refuse(Batch batch) {
         if (closed) {
-            drop(batch.size());
+            giveUp(batch);
             underWay = 0;
             return;
         }
@@ -149,13 +185,21 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
         tries++;
         boolean given = !done && (closed || refusals >= REFUSALS);
         if (given) {
-            drop(batch.size());
+            giveUp(batch);
         }
         if (done || given) {
             refused = null;
             underWay = 0;
         }
         return done || given;
+    }
+
+    private void giveUp(Batch batch) {
+        losses.add(batch.lost());
+        losses.add(batch.events());
+        if (batch.size() > 0) {
+            drop(batch.size());
+        }
     }
 
     private Batch next() {
@@ -165,7 +209,7 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
         taken.sort(BY_DRONE);
         List<HistoryEvent> happened = new ArrayList<>();
         events.drainTo(happened, rhythm.batch());
-        return new Batch(taken, happened);
+        return new Batch(taken, happened, losses.take());
     }
 
     private boolean answers() {
@@ -177,9 +221,19 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
     }
 
     private boolean tried(Batch batch) {
-        try {
-            store.append(batch.points(), batch.events());
+        boolean done = done(() -> store.append(batch.points(), batch.events(), batch.lost()));
+        if (done) {
             written.add(batch.size());
+            if (batch.changesEvents()) {
+                eventListeners.forEach(Runnable::run);
+            }
+        }
+        return done;
+    }
+
+    private boolean done(Runnable work) {
+        try {
+            work.run();
             if (failure != null) {
                 LOG.info("Telemetry is written again; {} points and events were dropped so far", dropped.sum());
             }

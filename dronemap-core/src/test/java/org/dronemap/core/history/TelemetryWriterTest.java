@@ -5,6 +5,7 @@ import static org.awaitility.Awaitility.await;
 
 import java.time.Duration;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.dronemap.core.time.RealTime;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -102,6 +103,73 @@ class TelemetryWriterTest {
         writer.close();
 
         assertThat(store.points).hasSize(30);
+    }
+
+    @Test
+    void tellsTheStoreWhatFoundNoRoom() {
+        for (int second = 0; second < 103; second++) {
+            writer.event(mode(second, "AUTO"));
+        }
+        writer.start();
+
+        await().atMost(Duration.ofSeconds(30)).until(() -> store.events.size() == 100);
+        assertThat(store.losses)
+                .containsExactly(
+                        new EventLoss(StateScript.START.plusSeconds(100), StateScript.START.plusSeconds(102), 3));
+    }
+
+    @Test
+    void tellsTheStoreWhatItNeverTook() {
+        store.poison = "poison";
+        writer.event(mode(1, "AUTO"));
+        writer.event(mode(2, "poison"));
+        writer.start();
+
+        await().atMost(Duration.ofSeconds(30)).until(() -> !store.losses.isEmpty());
+        assertThat(store.losses)
+                .containsExactly(new EventLoss(StateScript.START.plusSeconds(1), StateScript.START.plusSeconds(2), 2));
+    }
+
+    @Test
+    void saysThatAllIsStoredOnlyWhenItIs() {
+        writer.event(mode(1, "AUTO"));
+        writer.start();
+        await().atMost(Duration.ofSeconds(30)).until(() -> store.open);
+
+        writer.close();
+
+        assertThat(store.events).hasSize(1);
+        assertThat(store.openedBefore).isFalse();
+        assertThat(store.open).isFalse();
+    }
+
+    @Test
+    void leavesTheMarkWhenItEndsWithEventsThatTheStoreDidNotTake() {
+        writer.start();
+        await().atMost(Duration.ofSeconds(30)).until(() -> store.open);
+        store.broken = true;
+        writer.event(mode(1, "AUTO"));
+
+        writer.close();
+
+        assertThat(store.events).isEmpty();
+        assertThat(store.open).isTrue();
+    }
+
+    @Test
+    void tellsListenersOnceEventsAreStored() {
+        AtomicInteger stored = new AtomicInteger(-1);
+        writer.onEventsStored(() -> stored.set(store.events.size()));
+        writer.start();
+        await().atMost(Duration.ofSeconds(30)).until(() -> stored.get() == 0);
+        writer.event(mode(1, "AUTO"));
+
+        await().atMost(Duration.ofSeconds(30)).until(() -> stored.get() == 1);
+        assertThat(store.open).isTrue();
+    }
+
+    private static HistoryEvent mode(long second, String text) {
+        return HistoryEvent.of(StateScript.DRONE, StateScript.START.plusSeconds(second), HistoryEvent.Kind.MODE, text);
     }
 
     private void bring(int points) {

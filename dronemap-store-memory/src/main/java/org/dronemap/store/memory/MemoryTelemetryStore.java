@@ -3,7 +3,6 @@ package org.dronemap.store.memory;
 import java.time.Instant;
 import java.time.LocalDate;
 import java.time.ZoneOffset;
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -11,6 +10,8 @@ import java.util.NavigableMap;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.history.EventLoss;
+import org.dronemap.core.history.EventPage;
 import org.dronemap.core.history.HistoryEvent;
 import org.dronemap.core.history.Retention;
 import org.dronemap.core.history.SeriesBuilder;
@@ -26,15 +27,16 @@ import org.jspecify.annotations.Nullable;
 /** Keeps telemetry and drones' events in memory, for tests. Thread-safe: every method holds the object's lock. */
 public final class MemoryTelemetryStore implements TelemetryStore {
     private final Map<DroneId, NavigableMap<Instant, TelemetryPoint>> points = new HashMap<>();
-    private final List<HistoryEvent> events = new ArrayList<>();
+    private final MemoryEventSeries events = new MemoryEventSeries();
 
     @Override
-    public synchronized void append(List<TelemetryPoint> newPoints, List<HistoryEvent> newEvents) {
+    public synchronized void append(
+            List<TelemetryPoint> newPoints, List<HistoryEvent> newEvents, @Nullable EventLoss lost) {
         newPoints.stream()
                 .map(MemoryTelemetryStore::stored)
                 .forEach(point -> points.computeIfAbsent(point.drone(), drone -> new TreeMap<>())
                         .putIfAbsent(point.at(), point));
-        newEvents.stream().map(MemoryTelemetryStore::stored).forEach(events::add);
+        events.append(newEvents.stream().map(MemoryTelemetryStore::stored).toList(), lost);
     }
 
     @Override
@@ -54,7 +56,7 @@ public final class MemoryTelemetryStore implements TelemetryStore {
 
     @Override
     public synchronized List<HistoryEvent> events(DroneId drone, TimeRange span, int limit) {
-        return events.stream()
+        return events.all()
                 .filter(event -> event.drone().equals(drone) && span.contains(event.at()))
                 .sorted((one, other) -> one.at().compareTo(other.at()))
                 .limit(limit)
@@ -62,10 +64,25 @@ public final class MemoryTelemetryStore implements TelemetryStore {
     }
 
     @Override
+    public synchronized void openEvents(Instant now) {
+        events.open(StoredInstant.of(now));
+    }
+
+    @Override
+    public synchronized void closeEvents() {
+        events.close();
+    }
+
+    @Override
+    public synchronized EventPage eventsAfter(long number, int limit) {
+        return events.after(number, limit);
+    }
+
+    @Override
     public synchronized void tidy(Retention retention, Instant now) {
         Instant kept = begin(retention.firstKept(now));
         Instant full = begin(retention.firstFull(now));
-        events.removeIf(event -> event.at().isBefore(kept));
+        events.drop(kept);
         for (NavigableMap<Instant, TelemetryPoint> known : points.values()) {
             known.headMap(kept, false).clear();
             NavigableMap<Instant, TelemetryPoint> old = known.headMap(full, false);

@@ -21,6 +21,8 @@ final class MongoCollections {
     private static final String THINNED = "telemetry_thinned";
     private static final String THINNED_DAYS = "telemetry_thinned_day";
     private static final String EVENTS = "drone_event";
+    private static final String EVENT_GAPS = "event_gap";
+    private static final String EVENT_SERIES = "event_series";
     private static final String EXPIRY = "expiry";
     /** Expiry must not overtake the thinning that reads what expires, should that have been held up. */
     private static final Duration MARGIN = Duration.ofDays(3);
@@ -52,6 +54,16 @@ final class MongoCollections {
         return database.getCollection(EVENTS);
     }
 
+    /** Where some events are missing. */
+    MongoCollection<Document> eventGaps() {
+        return database.getCollection(EVENT_GAPS);
+    }
+
+    /** One document: what is known of the numbers of events. */
+    MongoCollection<Document> eventSeries() {
+        return database.getCollection(EVENT_SERIES);
+    }
+
     /** Before anything is written: a collection that came about by itself would be none of time series. */
     synchronized void make() {
         if (made) {
@@ -67,6 +79,7 @@ final class MongoCollections {
         points().createIndex(Indexes.ascending(PointDocument.DRONE, PointDocument.AT));
         thinned().createIndex(Indexes.ascending(PointDocument.DRONE, PointDocument.AT));
         events().createIndex(Indexes.ascending(PointDocument.DRONE, PointDocument.AT));
+        events().createIndex(Indexes.ascending(EventDocument.ORDER));
         made = true;
     }
 

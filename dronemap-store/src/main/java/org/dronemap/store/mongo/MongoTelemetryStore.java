@@ -1,15 +1,12 @@
 package org.dronemap.store.mongo;
 
 import com.mongodb.ConnectionString;
-import com.mongodb.ErrorCategory;
-import com.mongodb.MongoBulkWriteException;
 import com.mongodb.MongoClientSettings;
 import com.mongodb.MongoException;
 import com.mongodb.MongoNotPrimaryException;
 import com.mongodb.MongoSocketException;
 import com.mongodb.MongoTimeoutException;
 import com.mongodb.WriteConcern;
-import com.mongodb.bulk.BulkWriteError;
 import com.mongodb.client.MongoClient;
 import com.mongodb.client.MongoClients;
 import com.mongodb.client.MongoCollection;
@@ -22,16 +19,15 @@ import java.time.LocalDate;
 import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.Date;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.bson.Document;
 import org.bson.conversions.Bson;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.history.EventLoss;
+import org.dronemap.core.history.EventPage;
 import org.dronemap.core.history.HistoryEvent;
 import org.dronemap.core.history.Retention;
 import org.dronemap.core.history.SeriesQuery;
@@ -41,6 +37,7 @@ import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.history.TimeRange;
 import org.dronemap.store.StoreException;
 import org.dronemap.store.StoredInstant;
+import org.jspecify.annotations.Nullable;
 
 /** Stores telemetry in MongoDB; old days are hidden at once, and deleted later by MongoDB. Thread-safe. */
 public final class MongoTelemetryStore implements TelemetryStore, AutoCloseable {
@@ -53,7 +50,7 @@ public final class MongoTelemetryStore implements TelemetryStore, AutoCloseable 
     private final MongoDatabase database;
     private final MongoCollections collections;
     private final ThinnedDays thinned;
-    private final AtomicLong order = new AtomicLong(System.currentTimeMillis() * 1_000);
+    private final MongoEventSeries series;
     private volatile Instant firstKept = Instant.EPOCH;
 
     private MongoTelemetryStore(MongoClient client, String database) {
@@ -61,6 +58,7 @@ public final class MongoTelemetryStore implements TelemetryStore, AutoCloseable 
         this.database = client.getDatabase(database).withWriteConcern(WriteConcern.MAJORITY.withJournal(true));
         this.collections = new MongoCollections(this.database);
         this.thinned = new ThinnedDays(collections);
+        this.series = new MongoEventSeries(collections);
     }
 
     /**
@@ -90,7 +88,7 @@ public final class MongoTelemetryStore implements TelemetryStore, AutoCloseable 
     }
 
     @Override
-    public void append(List<TelemetryPoint> points, List<HistoryEvent> events) {
+    public void append(List<TelemetryPoint> points, List<HistoryEvent> events, @Nullable EventLoss lost) {
         trying(() -> {
             collections.make();
             if (!points.isEmpty()) {
@@ -98,32 +96,31 @@ public final class MongoTelemetryStore implements TelemetryStore, AutoCloseable 
                         .points()
                         .insertMany(points.stream().map(PointDocument::of).toList(), ANY_ORDER);
             }
-            insert(events);
+            series.append(events, lost);
             return true;
         });
     }
 
-    private void insert(List<HistoryEvent> events) {
-        if (events.isEmpty()) {
-            return;
-        }
-        Map<HistoryEvent, Integer> numbers = new HashMap<>();
-        List<Document> documents = events.stream()
-                .map(event -> EventDocument.of(event, numbers.merge(event, 1, Integer::sum), order.incrementAndGet()))
-                .toList();
-        try {
-            collections.events().insertMany(documents, ANY_ORDER);
-        } catch (MongoBulkWriteException e) {
-            boolean allKnown = e.getWriteErrors().stream().allMatch(MongoTelemetryStore::isKnown);
-            if (!allKnown || e.getWriteConcernError() != null) {
-                throw e;
-            }
-        }
+    @Override
+    public void openEvents(Instant now) {
+        trying(() -> {
+            collections.make();
+            series.open(now);
+            return true;
+        });
     }
 
-    /** It was written before by a try that seemed to fail. */
-    private static boolean isKnown(BulkWriteError error) {
-        return error.getCategory() == ErrorCategory.DUPLICATE_KEY;
+    @Override
+    public void closeEvents() {
+        trying(() -> {
+            series.close();
+            return true;
+        });
+    }
+
+    @Override
+    public EventPage eventsAfter(long number, int limit) {
+        return trying(() -> series.after(number, limit));
     }
 
     @Override
@@ -187,6 +184,7 @@ public final class MongoTelemetryStore implements TelemetryStore, AutoCloseable 
             firstKept = kept == null
                     ? Instant.EPOCH
                     : kept.atStartOfDay(ZoneOffset.UTC).toInstant();
+            series.expire(kept == null ? null : firstKept);
             thinned.thin(retention, retention.firstFull(now));
             return true;
         });

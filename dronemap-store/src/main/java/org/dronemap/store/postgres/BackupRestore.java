@@ -18,6 +18,8 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipException;
 import java.util.zip.ZipFile;
 import javax.sql.DataSource;
+import org.dronemap.core.history.EventGap;
+import org.dronemap.core.stored.StoredNames;
 import org.dronemap.store.StoreException;
 import org.postgresql.PGConnection;
 import org.slf4j.Logger;
@@ -150,6 +152,16 @@ final class BackupRestore {
                 + " FROM " + schema + ".control_epoch))");
     }
 
+    /** What happened since the backup is missing; numbers go on after those that came along. */
+    private void tellMissingEvents(Statement statement) throws SQLException {
+        String numbers = "pg_get_serial_sequence('" + staging + ".drone_event', 'id')";
+        statement.execute("SELECT setval(" + numbers + ", greatest((SELECT max(id) FROM " + staging
+                + ".drone_event), (SELECT max(number) FROM " + staging + ".event_gap), 1))");
+        statement.execute("INSERT INTO " + staging + ".event_gap (number, cause, from_at, until_at) SELECT nextval("
+                + numbers + "), '" + StoredNames.of(EventGap.Cause.RESTORED) + "', (SELECT at FROM " + staging
+                + ".drone_event ORDER BY id DESC LIMIT 1), now()");
+    }
+
     private void swapSchemas() throws SQLException {
         try (Connection connection = dataSource.getConnection();
                 Statement statement = connection.createStatement()) {
@@ -157,6 +169,7 @@ final class BackupRestore {
             // Somebody else's long transaction must not hold this one up for ever.
             statement.execute("SET LOCAL lock_timeout = '30s'");
             keepEpochsRising(statement);
+            tellMissingEvents(statement);
             statement.execute("ALTER SCHEMA " + schema + " RENAME TO " + replaced);
             statement.execute("ALTER SCHEMA " + staging + " RENAME TO " + schema);
             statement.execute("DROP SCHEMA " + replaced + " CASCADE");

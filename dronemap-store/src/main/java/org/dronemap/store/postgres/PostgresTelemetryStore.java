@@ -11,7 +11,8 @@ import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import javax.sql.DataSource;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.drone.Severity;
+import org.dronemap.core.history.EventLoss;
+import org.dronemap.core.history.EventPage;
 import org.dronemap.core.history.HistoryEvent;
 import org.dronemap.core.history.Retention;
 import org.dronemap.core.history.SeriesQuery;
@@ -29,22 +30,25 @@ public final class PostgresTelemetryStore implements TelemetryStore {
     private final DataSource dataSource;
     private final DayWriteGuard gate = new DayWriteGuard();
     private final TelemetryDayTables days;
+    private final PostgresEventSeries series;
 
     PostgresTelemetryStore(DataSource dataSource) {
         this.dataSource = dataSource;
         this.days = new TelemetryDayTables(dataSource, gate);
+        this.series = new PostgresEventSeries(dataSource);
     }
 
     @Override
-    public void append(List<TelemetryPoint> points, List<HistoryEvent> events) {
+    public void append(List<TelemetryPoint> points, List<HistoryEvent> events, @Nullable EventLoss lost) {
         try {
-            gate.write(points, () -> write(points, events));
+            gate.write(points, () -> write(points, events, lost));
         } catch (SQLException e) {
             throw SqlErrorMessages.exception(e);
         }
     }
 
-    private void write(List<TelemetryPoint> points, List<HistoryEvent> events) throws SQLException {
+    private void write(List<TelemetryPoint> points, List<HistoryEvent> events, @Nullable EventLoss lost)
+            throws SQLException {
         try (Connection connection = dataSource.getConnection()) {
             connection.setAutoCommit(false);
             try {
@@ -55,37 +59,12 @@ public final class PostgresTelemetryStore implements TelemetryStore {
                     }
                     out.end();
                 }
-                insert(connection, events);
+                PostgresEventSeries.append(connection, events, lost);
                 connection.commit();
             } catch (SQLException | RuntimeException e) {
                 connection.rollback();
                 throw e;
             }
-        }
-    }
-
-    private static void insert(Connection connection, List<HistoryEvent> events) throws SQLException {
-        if (events.isEmpty()) {
-            return;
-        }
-        try (PreparedStatement statement = connection.prepareStatement("""
-                INSERT INTO drone_event (drone_id, at, kind, text, severity, done_by, command_id, result, reason)
-                VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)""")) {
-            for (HistoryEvent event : events) {
-                SqlTransactions.set(
-                        statement,
-                        event.drone().value(),
-                        event.at(),
-                        event.kind(),
-                        event.text(),
-                        event.severity(),
-                        event.by(),
-                        event.command(),
-                        event.result(),
-                        event.reason());
-                statement.addBatch();
-            }
-            statement.executeBatch();
         }
     }
 
@@ -169,7 +148,7 @@ public final class PostgresTelemetryStore implements TelemetryStore {
                 ResultSet result = statement.executeQuery()) {
             List<HistoryEvent> events = new ArrayList<>();
             while (result.next()) {
-                events.add(event(new ResultRow(result)));
+                events.add(PostgresEventSeries.event(new ResultRow(result)));
             }
             return List.copyOf(events);
         } catch (SQLException e) {
@@ -177,17 +156,31 @@ public final class PostgresTelemetryStore implements TelemetryStore {
         }
     }
 
-    private static HistoryEvent event(ResultRow row) throws SQLException {
-        return new HistoryEvent(
-                new DroneId(row.text("drone_id")),
-                row.time("at"),
-                row.name("kind", HistoryEvent.Kind.class),
-                row.text("text"),
-                row.nameOrNull("severity", Severity.class),
-                row.textOrNull("done_by"),
-                row.textOrNull("command_id"),
-                row.textOrNull("result"),
-                row.textOrNull("reason"));
+    @Override
+    public void openEvents(Instant now) {
+        try {
+            series.open(now);
+        } catch (SQLException e) {
+            throw SqlErrorMessages.exception(e);
+        }
+    }
+
+    @Override
+    public void closeEvents() {
+        try {
+            series.close();
+        } catch (SQLException e) {
+            throw SqlErrorMessages.exception(e);
+        }
+    }
+
+    @Override
+    public EventPage eventsAfter(long number, int limit) {
+        try {
+            return series.after(number, limit);
+        } catch (SQLException e) {
+            throw SqlErrorMessages.exception(e);
+        }
     }
 
     /** Kept times are cut to the microsecond: one that is asked for more finely lies after what is kept of it. */

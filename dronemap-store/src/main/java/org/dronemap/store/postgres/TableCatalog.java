@@ -13,8 +13,11 @@ import java.util.Set;
 
 /** Lists the tables for a backup from the database's own catalogue, so that none of a new migration is forgotten. */
 final class TableCatalog {
-    /** The history comes back with the schema, and an old session must not come back to life. */
-    private static final Set<String> LEFT_OUT = Set.of(Migration.HISTORY_TABLE, "sign_in");
+    /**
+     * The history comes back with the schema, an old session must not come back to life, and what is restored is another
+     * series of events.
+     */
+    private static final Set<String> LEFT_OUT = Set.of(Migration.HISTORY_TABLE, "sign_in", "event_series");
 
     private final Connection connection;
     private final String schema;

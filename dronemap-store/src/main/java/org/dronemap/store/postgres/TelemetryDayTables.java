@@ -151,7 +151,8 @@ final class TelemetryDayTables {
         }
         withLockTimeout(connection -> {
             execute(connection, "DELETE FROM telemetry_other WHERE at < " + begin(firstKept));
-            execute(connection, "DELETE FROM drone_event WHERE at < " + begin(firstKept));
+            PostgresEventSeries.drop(
+                    connection, firstKept.atStartOfDay(ZoneOffset.UTC).toInstant());
         });
     }
 

@@ -44,11 +44,14 @@ import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.history.EventGap;
+import org.dronemap.core.history.EventPage;
 import org.dronemap.core.history.Flight;
 import org.dronemap.core.history.FlightStatistics;
 import org.dronemap.core.history.HistoryEvent;
 import org.dronemap.core.history.Retention;
 import org.dronemap.core.history.TelemetryPoint;
+import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.history.TimeRange;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.Mission;
@@ -119,6 +122,31 @@ class BackupTest {
         database.access().addUser(ALICE);
         database.access().addAccessKey(KEY);
         database.access().addSignIn(new SignIn("token", "alice", AT));
+    }
+
+    @Test
+    void isAnotherSeriesOfEventsThatTellsWhatIsMissing() throws IOException {
+        TelemetryStore events = database.telemetry();
+        events.openEvents(AT);
+        events.append(List.of(), List.of(HistoryEvent.of(DRONE.id(), AT, HistoryEvent.Kind.MODE, "GUIDED")));
+        Path zip = backup();
+        events.append(List.of(), List.of(HistoryEvent.of(DRONE.id(), AT, HistoryEvent.Kind.MODE, "AUTO")));
+        EventPage before = events.eventsAfter(0, 10);
+
+        database.backup().restore(zip);
+        events.openEvents(Instant.EPOCH);
+        events.append(List.of(), List.of(HistoryEvent.of(DRONE.id(), AT, HistoryEvent.Kind.MODE, "LAND")));
+
+        EventPage after = events.eventsAfter(0, 10);
+        assertThat(after.series().id()).isNotEqualTo(before.series().id());
+        assertThat(after.entries()).hasSize(3);
+        assertThat(after.entries().get(0)).isEqualTo(before.entries().get(0));
+        assertThat(after.entries().get(1)).isInstanceOfSatisfying(EventGap.class, gap -> {
+            assertThat(gap.cause()).isEqualTo(EventGap.Cause.RESTORED);
+            assertThat(gap.from()).isEqualTo(AT);
+        });
+        assertThat(after.entries().get(2).number())
+                .isGreaterThan(after.entries().get(1).number());
     }
 
     @Test

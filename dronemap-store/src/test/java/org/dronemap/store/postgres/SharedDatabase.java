@@ -37,7 +37,7 @@ final class SharedDatabase {
                         'drone_owner', 'drone_gift', 'user_group', 'user_group_member', 'fleet', 'access_grant', 'only_granted',
                         'invitation', 'virtual_drone', 'warehouse_drone', 'audit', 'telemetry', 'drone_event', 'flight',
                         'operation', 'operation_journal', 'outlet_key', 'outlet_number', 'robot_key',
-                        'reused_name'] LOOP
+                        'reused_name', 'event_gap'] LOOP
                     EXECUTE 'SELECT EXISTS (SELECT FROM ' || name || ')' INTO filled;
                     IF filled THEN
                         all_filled := all_filled || name;
@@ -46,6 +46,7 @@ final class SharedDatabase {
                 IF all_filled <> '{}' THEN
                     EXECUTE 'TRUNCATE ' || array_to_string(all_filled, ', ') || ' CASCADE';
                 END IF;
+                UPDATE event_series SET opened_at = NULL, expired = 0, expired_before = NULL;
             END $$
             """;
 

@@ -26,7 +26,8 @@ public final class OpenApiMetadata {
                                         + " speeds in m/s, times in UTC; a fact that nobody knows is null. A request that is not"
                                         + " carried out is answered with application/problem+json, whose detail is a sentence"
                                         + " for people. Programs send an access key as Authorization: Bearer KEY; a browser's"
-                                        + " session has to send X-Dronemap: 1 with every change.")
+                                        + " session has to send X-Dronemap: 1 with every change. Each answer has the version"
+                                        + " of the server in the header Dronemap-Version.")
                         .license(new License().name("Apache-2.0").url("https://www.apache.org/licenses/LICENSE-2.0")))
                 .components(typed(new Components()
                         .schemas(new LinkedHashMap<>(

@@ -32,6 +32,12 @@ public enum ServerProblem implements ProblemCode {
                     "The user has as many streams open as one may have.",
                     "As many streams are open as one user may have (20); close one first.")
             .with(ProblemParameter.MOST)),
+    WAITS_SPENT(ProblemCatalogueEntry.of(
+                    "waits-spent",
+                    RejectionKind.THROTTLED,
+                    "As many requests of the user wait for events as one may have waiting.",
+                    "As many requests wait for events as one user may have (50); wait 1 s and try again.")
+            .with(ProblemParameter.MOST, ProblemParameter.RETRY_AFTER_SECONDS)),
     LIMIT_REACHED(ProblemCatalogueEntry.of(
                     "limit-reached",
                     RejectionKind.CONFLICT,

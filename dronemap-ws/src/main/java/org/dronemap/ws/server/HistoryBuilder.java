@@ -19,22 +19,30 @@ final class HistoryBuilder {
     private static final int LETTERS_OF_AN_ID = 12;
 
     private final HistoryPolicy policy;
+    private final TelemetryStore telemetry;
+    private final TelemetryWriter writer;
+    private final ShutdownSequence closing;
     private final Time time;
 
-    HistoryBuilder(HistoryPolicy policy, Time time) {
+    /**
+     * What is opened is handed to {@code closing}. The writer is opened here, before what tells of drones, and so closed
+     * after it: what that tells to the last is written, too.
+     */
+    HistoryBuilder(HistoryPolicy policy, TelemetryStore telemetry, ShutdownSequence closing, Time time) {
         this.policy = policy;
+        this.telemetry = telemetry;
+        this.closing = closing;
         this.time = time;
+        this.writer = new TelemetryWriter(telemetry, TelemetryWriter.BatchSettings.DEFAULT, time);
+        closing.add("the telemetry", writer);
     }
 
-    /** From now on; what is opened is handed to {@code closing}. */
-    HistoryRecorder open(
-            TelemetryStore telemetry, FlightStore flightStore, CloudManager cloud, ShutdownSequence closing) {
+    /** From now on. */
+    HistoryRecorder open(FlightStore flightStore, CloudManager cloud) {
         HistoryMaintenance keeper = new HistoryMaintenance(telemetry, policy.retention(), time);
-        TelemetryWriter writer = new TelemetryWriter(telemetry, TelemetryWriter.BatchSettings.DEFAULT, time);
         FlightRegistry flights = new FlightRegistry(flightStore, FLIGHTS_EVERY, time);
         closing.add("the keeper of old telemetry", keeper);
         closing.add("the flights", flights);
-        closing.add("the telemetry", writer);
         HistoryRecorder history = new HistoryRecorder(
                 new HistoryRecorder.Persistence(telemetry, writer, flights, keeper), policy, time.clock(), this::newId);
         keeper.start(TIDY_EVERY);

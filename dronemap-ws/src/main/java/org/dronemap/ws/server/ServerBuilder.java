@@ -98,12 +98,12 @@ public final class ServerBuilder {
     /** Everything but the links: nothing is heard and nothing sent yet. */
     public ServerComponents open(Stores stores) {
         ServerComponents.AuditComponents audit = new AuditBuilder(settings, time).open(stores, closing);
-        CommandStore commands = commands(stores, audit);
         StoreWriter journal = new StoreWriter(time);
         closing.add("the journal", journal);
-        CloudManager cloud = cloud(stores, commands, journal);
+        HistoryBuilder histories = new HistoryBuilder(settings.history(), telemetry(stores), closing, time);
+        CloudManager cloud = cloud(stores, commands(stores, audit), journal);
         GrantRegistry grants = grants(stores, cloud, audit);
-        HistoryRecorder history = history(stores, cloud);
+        HistoryRecorder history = histories.open(stores.flights(), cloud);
         SecretBox box = box();
         DtlsKeyRing dtlsKeys = new DtlsKeyRing(stores.links(), new SecretBoxEncryption(box));
         Recorder recorder = recorder(stores, journal, cloud);
@@ -145,10 +145,6 @@ public final class ServerBuilder {
             Outlet clients) {
         return new ServerComponents.LinkComponents(
                 vehicles, stores.links(), dtlsKeys, robotKeys, new ProxyOutletGateway(clients), () -> connected);
-    }
-
-    private HistoryRecorder history(Stores stores, CloudManager cloud) {
-        return new HistoryBuilder(settings.history(), time).open(telemetry(stores), stores.flights(), cloud, closing);
     }
 
     private MavlinkConnector links(

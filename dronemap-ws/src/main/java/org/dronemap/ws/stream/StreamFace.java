@@ -57,8 +57,8 @@ public final class StreamFace implements AutoCloseable {
     private final StreamHeartbeat beat;
     private final TextFrameCache frames = new TextFrameCache();
 
-    /** The parts of the server that the stream needs. */
-    public record Services(AccessServices entrance, Features features, JsonCodec json) {}
+    /** The parts of the server that the stream needs, and its version. */
+    public record Services(AccessServices entrance, Features features, JsonCodec json, String version) {}
 
     /** Declarations of all rooms of features, each in the order in which they are told, named or called. */
     public record Features(

@@ -29,8 +29,8 @@ public sealed interface StreamMessage {
     non-sealed interface OfUseCase extends StreamMessage {}
 
     @Order(Ordered.HIGHEST_PRECEDENCE)
-    @Schema(name = "StreamHello", description = "The first message: who you are.")
-    record Hello(String user, @EnumValues(Role.class) String role) implements StreamMessage {}
+    @Schema(name = "StreamHello", description = "The first message: who you are, and the version of the server.")
+    record Hello(String user, @EnumValues(Role.class) String role, String version) implements StreamMessage {}
 
     @Order
     @JsonInclude(JsonInclude.Include.NON_NULL)

@@ -47,6 +47,7 @@ final class StreamRequestHandler {
     private final JsonCodec json;
     private final JsonCodec reader;
     private final AuditRecorder desk;
+    private final String version;
 
     /** Fields of a request that are read before its type is known, so that an error response can name the request. */
     @JsonIgnoreProperties(ignoreUnknown = true)
@@ -64,6 +65,7 @@ final class StreamRequestHandler {
         this.json = services.json();
         this.reader = requests.reader(json);
         this.desk = services.entrance().audit();
+        this.version = services.version();
     }
 
     /** Lets a client in, with what features tell it first. */
@@ -74,7 +76,7 @@ final class StreamRequestHandler {
             AuthenticatedCaller caller = authentication.still(proved).orElseThrow(Rejection::sessionEnded);
             authentication.admit(caller);
             Principal principal = caller.principal();
-            send(client, new StreamMessage.Hello(principal.name(), WireNames.camel(principal.role())));
+            send(client, new StreamMessage.Hello(principal.name(), WireNames.camel(principal.role()), version));
             welcomes.forEach(welcome -> {
                 StreamWelcome.Greeting first = welcome.greeting().apply(principal);
                 client.shown().putAll(first.sights());

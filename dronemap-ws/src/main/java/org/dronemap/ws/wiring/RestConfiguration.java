@@ -13,6 +13,7 @@ import org.dronemap.ws.http.AuditFilter;
 import org.dronemap.ws.http.FallbackErrorController;
 import org.dronemap.ws.http.ProblemAdvice;
 import org.dronemap.ws.http.SecurityHeadersFilter;
+import org.dronemap.ws.http.VersionHeaderValve;
 import org.dronemap.ws.http.WebClientPages;
 import org.dronemap.ws.limit.BodyLimitFilter;
 import org.dronemap.ws.limit.BoundedHttpProtocol;
@@ -78,6 +79,12 @@ class RestConfiguration {
     WebServerFactoryCustomizer<ConfigurableTomcatWebServerFactory> refusedByTomcat(JsonCodec json) {
         return factory -> factory.addContextCustomizers(
                 context -> context.getParent().getPipeline().addValve(new TomcatErrorValve(json)));
+    }
+
+    @Bean
+    WebServerFactoryCustomizer<ConfigurableTomcatWebServerFactory> toldVersion() {
+        return factory -> factory.addContextCustomizers(
+                context -> context.getParent().getPipeline().addValve(new VersionHeaderValve(BuildVersion.current())));
     }
 
     @Bean

@@ -71,7 +71,7 @@ class StreamConfiguration {
     @Bean
     StreamFace.Services streamServices(
             StreamFace.AccessServices entrance, StreamFace.Features features, JsonCodec json) {
-        return new StreamFace.Services(entrance, features, json);
+        return new StreamFace.Services(entrance, features, json, BuildVersion.current());
     }
 
     /** What rooms of features declare, in the order that they say. */

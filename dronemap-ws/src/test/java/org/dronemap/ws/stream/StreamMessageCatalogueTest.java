@@ -90,8 +90,8 @@ class StreamMessageCatalogueTest {
 
         assertThat(json.write(new Painted("a", "red")))
                 .isEqualTo("{\"type\":\"painted\",\"id\":\"a\",\"colour\":\"red\"}");
-        assertThat(json.write(new StreamMessage.Hello("a", "viewer")))
-                .isEqualTo("{\"type\":\"hello\",\"user\":\"a\",\"role\":\"viewer\"}");
+        assertThat(json.write(new StreamMessage.Hello("a", "viewer", "1.2")))
+                .isEqualTo("{\"type\":\"hello\",\"user\":\"a\",\"role\":\"viewer\",\"version\":\"1.2\"}");
     }
 
     @Test

@@ -52,7 +52,7 @@ class StreamTopicFeedTest {
                 rate,
                 new StreamTopic.SubjectMapping<>("name", name -> name.substring(0, 1)),
                 StreamTopic.Audience.of("all but some", (who, name) -> !hidden.contains(who.name() + name)),
-                (name, who) -> new StreamMessage.Hello(name, "shown"),
+                (name, who) -> new StreamMessage.Hello(name, "shown", "1.2"),
                 () -> things,
                 removal,
                 feed -> {});
