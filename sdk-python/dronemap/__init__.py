@@ -14,6 +14,7 @@ from dronemap.arrival import Interrupted, meters_between
 from dronemap.client import AsyncDronemap, NoSuchDrone
 from dronemap.connection import Server, find_server
 from dronemap.contract import models
+from dronemap.contract.models import EventGap, NumberedEvent
 from dronemap.errors import (
     AnswerLost,
     ControlLost,
@@ -24,6 +25,7 @@ from dronemap.errors import (
     Unreachable,
     WaitedTooLong,
 )
+from dronemap.events import FIRST
 from dronemap.mission import Mission
 from dronemap.outcome import (
     CommandError,
@@ -50,6 +52,8 @@ __all__ = [
     "Drone",
     "Dronemap",
     "DronemapError",
+    "EventGap",
+    "FIRST",
     "Failed",
     "GivenCommand",
     "Interrupted",
@@ -57,6 +61,7 @@ __all__ = [
     "MissionFailed",
     "NoSuchDrone",
     "NotConfigured",
+    "NumberedEvent",
     "Outcome",
     "OutcomeUnknown",
     "PlanFailed",

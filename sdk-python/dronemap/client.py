@@ -1,5 +1,7 @@
 """A server, for programs that await."""
 
+from collections.abc import Iterable
+
 from dronemap.connection import find_server
 from dronemap.contract.models import (
     FollowOpenRequest,
@@ -10,6 +12,7 @@ from dronemap.contract.models import (
 from dronemap.contract.operations import Operations
 from dronemap.drone import AsyncDrone
 from dronemap.errors import DronemapError
+from dronemap.events import AsyncEvents
 from dronemap.follow import AsyncFollow
 from dronemap.mission import Mission
 from dronemap.plan import AsyncPlan, AsyncRun
@@ -80,6 +83,10 @@ class AsyncDronemap:
     def changes(self) -> Reader[DroneChange]:
         """All drones, and each again when it changes; the newest state wins."""
         return self.stream.changes()
+
+    async def events(self, after: str | None = None, drones: Iterable[str] = ()) -> AsyncEvents:
+        """What happens to drones from now on, or after a cursor; `drones` are ids, all unless said otherwise."""
+        return await AsyncEvents.begin(self.rest, after, drones)
 
     async def plan(self, request: PlanRequest) -> AsyncPlan:
         """Shares waypoints out among drones; the search goes on at the server."""

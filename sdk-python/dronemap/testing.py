@@ -34,6 +34,8 @@ class MockTransport:
         self._outcome: Json = {"result": "succeeded", "by": None, "code": None, "reason": None}
         self._known: dict[str, Json] = {}
         self._lost: dict[str, int] = {}
+        self._events: list[Json] = []
+        self._lost_through = 0
         self._away = False
         self._sockets: list[_MockSocket] = []
         self._epochs = itertools.count(1)
@@ -77,6 +79,17 @@ class MockTransport:
     def come_back(self) -> None:
         self._away = False
 
+    def add_event(self, drone: str, text: str, kind: str = "message") -> int:
+        """Something that happened to that drone; its number."""
+        number = next(self._numbers)
+        self._events.append({"number": number, "drone": drone, "at": self._time(), "kind": kind, "text": text})
+        return number
+
+    def lose_events(self, through: int) -> None:
+        """Events up to that number are kept no more."""
+        self._events = [event for event in self._events if event["number"] > through]
+        self._lost_through = through
+
     def cut(self) -> None:
         """Ends all streams; clients come again."""
         for socket in self._sockets:
@@ -101,7 +114,9 @@ class MockTransport:
             raise Unreachable("The server in memory is away.")
         body = json.loads(content) if content and content_type == "application/json" else content
         self.requests.append((method, path, body))
-        status, answered = self._answer_to(method, path, body)
+        if path == "/events" and ("GET", path) not in self._answers:
+            await self._wait_for_events(query)
+        status, answered = self._answer_to(method, path, body, query)
         if self._lost.get(method, 0) > 0:
             self._lost[method] -= 1
             raise AnswerLost("The answer was lost, as the test wanted it.")
@@ -123,13 +138,15 @@ class MockTransport:
         self._sockets.append(socket)
         return socket
 
-    def _answer_to(self, method: str, path: str, body: Any) -> tuple[int, Any]:
+    def _answer_to(self, method: str, path: str, body: Any, query: Mapping[str, str]) -> tuple[int, Any]:
         if (method, path) in self._answers:
             return self._answers[method, path]
         match (method, *path.strip("/").split("/")):
             case ("GET", "settings"):
                 version = {"version": VERSION, "streamPort": 1, "publicMode": False}
                 return 200, version | {"phonePage": None, "tileAddress": None}
+            case ("GET", "events"):
+                return 200, self._page(query)
             case ("GET", "drones"):
                 return 200, {"drones": list(self._drones.values())}
             case ("GET", "drones", id) if id in self._drones:
@@ -142,6 +159,23 @@ class MockTransport:
                 return 200, self._control(id, method, action, body)
         detail = f"The server in memory answers nothing to {method} {path}: say what with answer()."
         return 404, {"status": 404, "code": "mock", "detail": detail}
+
+    async def _wait_for_events(self, query: Mapping[str, str]) -> None:
+        until = asyncio.get_running_loop().time() + float(query.get("wait", 0))
+        while not self._away and not self._page(query)["events"] and asyncio.get_running_loop().time() < until:
+            await asyncio.sleep(0.01)
+        if self._away:
+            raise AnswerLost("The server in memory went away meanwhile.")
+
+    def _page(self, query: Mapping[str, str]) -> Json:
+        newest = self._events[-1]["number"] if self._events else self._lost_through
+        asked = query.get("after", str(newest))
+        after = 0 if asked == "first" else int(asked)
+        gap = {"after": self._lost_through, "cause": "expired", "text": "They were kept for long enough."}
+        gaps = [gap | {"from": None, "until": None, "count": None}] if after < self._lost_through else []
+        events = [event for event in self._events if event["number"] > after][: int(query.get("limit", 100))]
+        last = events[-1]["number"] if events else max(after, self._lost_through)
+        return {"events": events, "gaps": gaps, "next": str(last)}
 
     def _command(self, drone: str, body: Json) -> tuple[int, Any]:
         refusal = self._refused.get(body["type"])

@@ -461,6 +461,30 @@ class EnrolRequest(Model):
     organisation: str | None = None
 
 
+class EventGap(Model):
+    after: int
+    """
+    Events with higher numbers come after the gap; 0: all do
+    """
+    cause: Literal["notWritten", "serverEnded", "restored", "expired", "otherSeries"] | str
+    count: int | None = None
+    """
+    How many events are missing, those of drones that are not shown to you included; told to those who run the server; null: not known, or not told
+    """
+    from_: Annotated[AwareDatetime | None, Field(alias="from")] = None
+    """
+    Since when events are missing; null: not known
+    """
+    text: str
+    """
+    The reason, as a sentence
+    """
+    until: AwareDatetime | None = None
+    """
+    Until when; null: not known
+    """
+
+
 class EventView(Model):
     at: AwareDatetime
     by: str | None = None
@@ -1140,6 +1164,30 @@ class NewUser(Model):
     name: str | None = None
     password: Annotated[str | None, Field(max_length=200, min_length=10)] = None
     role: Literal["reporter", "viewer", "planner", "operator", "supervisor", "administrator"] | None = None
+
+
+class NumberedEvent(Model):
+    at: AwareDatetime
+    by: str | None = None
+    command: str | None = None
+    """
+    Id of the command
+    """
+    drone: str
+    """
+    Id of the drone
+    """
+    kind: Literal["armed", "disarmed", "mode", "phase", "message", "command", "mission", "control"] | str
+    number: int
+    """
+    Rises from event to event, with numbers left out; below 2^53
+    """
+    reason: str | None = None
+    result: Literal["succeeded", "refused", "failed", "timedOut", "superseded", "unknown"] | str | None = None
+    severity: Literal["emergency", "alert", "critical", "error", "warning", "notice", "info", "debug"] | str | None = (
+        None
+    )
+    text: str
 
 
 class OneTimePassword(Model):
@@ -2879,6 +2927,21 @@ class FollowPhoneView(Model):
     id: int
     """
     The id of that position
+    """
+
+
+class FollowedEvents(Model):
+    events: list[NumberedEvent]
+    """
+    By their numbers
+    """
+    gaps: list[EventGap]
+    """
+    Where events are missing, in order
+    """
+    next: str
+    """
+    To go on from, as after: a text that only the server reads
     """
 
 

@@ -367,6 +367,23 @@ class Operations:
         call = Call("finishSignInElsewhere", "GET", "/session/oidc/callback", query={"code": code, "state": state})
         return await self._sender.send(call, str)
 
+    async def follow_events(
+        self,
+        *,
+        after: str | None = None,
+        limit: int | None = None,
+        drones: str | None = None,
+        wait: float | None = None,
+    ) -> models.FollowedEvents:
+        """Follow what happens to drones. In the order in which it was stored; go on with after = next. With wait,
+        the answer comes as soon as there is an event, or without one after that time. Where events are missing,
+        gaps says so.
+        """
+        call = Call(
+            "followEvents", "GET", "/events", query={"after": after, "limit": limit, "drones": drones, "wait": wait}
+        )
+        return await self._sender.send(call, models.FollowedEvents)
+
     async def get_audit_receipt(self) -> models.ReceiptView:
         """Get a receipt for all records up to now (supervisor). Kept outside of the server, it shows later whether
         any of them was changed or removed, even by whoever runs the server.

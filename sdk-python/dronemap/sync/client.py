@@ -1,6 +1,6 @@
 """A server, for programs that do not await."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from dronemap.client import PATIENCE_SECONDS, AsyncDronemap
 from dronemap.contract.models import FollowPlaceRequest, PlanRequest
@@ -8,6 +8,7 @@ from dronemap.mission import Mission
 from dronemap.reader import Reader
 from dronemap.stream import DroneChange
 from dronemap.sync.drone import Drone
+from dronemap.sync.events import Events
 from dronemap.sync.loop import LoopThread
 from dronemap.sync.operations import SyncOperations
 from dronemap.sync.tracked import Follow, Plan, Run, VirtualDrone
@@ -71,6 +72,10 @@ class Dronemap:
             return self._awaited.changes()
 
         return self._loop.read(self._loop.run(begun()))
+
+    def events(self, after: str | None = None, drones: Iterable[str] = ()) -> Events:
+        """What happens to drones from now on, or after a cursor; `drones` are ids, all unless said otherwise."""
+        return Events(self._loop, self._loop.run(self._awaited.events(after, drones)))
 
     def plan(self, request: PlanRequest) -> Plan:
         """Shares waypoints out among drones; the search goes on at the server."""

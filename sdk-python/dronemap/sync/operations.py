@@ -310,6 +310,20 @@ class SyncOperations:
         """Come back from the provider. For browsers; leads to the page."""
         return self._loop.run(self._awaited.finish_sign_in_elsewhere(code=code, state=state))
 
+    def follow_events(
+        self,
+        *,
+        after: str | None = None,
+        limit: int | None = None,
+        drones: str | None = None,
+        wait: float | None = None,
+    ) -> models.FollowedEvents:
+        """Follow what happens to drones. In the order in which it was stored; go on with after = next. With wait,
+        the answer comes as soon as there is an event, or without one after that time. Where events are missing,
+        gaps says so.
+        """
+        return self._loop.run(self._awaited.follow_events(after=after, limit=limit, drones=drones, wait=wait))
+
     def get_audit_receipt(self) -> models.ReceiptView:
         """Get a receipt for all records up to now (supervisor). Kept outside of the server, it shows later whether
         any of them was changed or removed, even by whoever runs the server.
