@@ -17,11 +17,15 @@ _OTHERS_MAY_READ = 0o077
 
 @dataclass(frozen=True)
 class Server:
-    """A server: its address without a path, an access key, and the file of an authority to trust in addition."""
+    """A server: its address without a path, an access key, and the file of an authority to trust in addition.
+
+    A server makes a new key for its own machine at each start: `key_file` is where the newest one is.
+    """
 
     url: str
     key: str | None
     certificate: str | None = None
+    key_file: Path | None = None
 
     def __repr__(self) -> str:
         return f"Server(url={self.url!r})"
@@ -47,15 +51,17 @@ def find_server(
     found = key or environment.get("DRONEMAP_KEY")
     if found is None and address == kept.get("url", address):
         found = kept.get("key")
+    file = None
     if found is None and host in ("127.0.0.1", "localhost", "::1"):
-        found = _local_key()
+        file = _local_key_file()
+        found = None if file is None else read_key(file)
     if found is None:
         raise NotConfigured(
             f"No access key for {address}. Make one on the page (Account, Access keys) and give it as DRONEMAP_KEY, "
             f"or as key in {_file(environment)}."
         )
     trusted = certificate or environment.get("DRONEMAP_CERTIFICATE") or kept.get("certificate")
-    return Server(address.rstrip("/"), found, trusted)
+    return Server(address.rstrip("/"), found, trusted, file)
 
 
 def _host(address: str) -> str:
@@ -92,9 +98,13 @@ def _profile(name: str | None, environment: Mapping[str, str]) -> dict[str, str]
     return {str(k): str(v) for k, v in found.items()}
 
 
-def _local_key() -> str | None:
+def read_key(file: Path) -> str:
+    return file.read_text().strip()
+
+
+def _local_key_file() -> Path | None:
     for folder in (Path.cwd(), *Path.cwd().parents):
         file = folder / _LOCAL_KEY
         if file.is_file() and os.access(file, os.R_OK):
-            return file.read_text().strip()
+            return file
     return None

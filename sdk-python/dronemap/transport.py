@@ -1,5 +1,6 @@
 """How requests and the stream travel: over HTTP and a WebSocket, or whatever a test puts in their place."""
 
+import functools
 import ssl
 from collections.abc import Mapping
 from contextlib import AbstractAsyncContextManager
@@ -11,13 +12,14 @@ import httpx
 import websockets
 from websockets.asyncio.client import connect
 
-from dronemap.connection import Server
+from dronemap.connection import Server, read_key
 from dronemap.errors import AnswerLost, Unreachable
 
 BASE = "/api/v1"
 #: Seconds; a command may wait for its outcome for a minute.
 _READ_SECONDS = 75.0
 _CONNECT_SECONDS = 5.0
+_NOT_SIGNED_IN = 401
 #: A fleet's first list may be long.
 _LARGEST_MESSAGE = 64 * 1024 * 1024
 
@@ -67,15 +69,14 @@ class HttpTransport:
 
     def __init__(self, server: Server) -> None:
         self._server = server
-        headers = {"Authorization": f"Bearer {server.key}"} if server.key else {}
-        self._headers = headers
+        self._key = server.key
         self._trust: ssl.SSLContext | None = None
         if urlsplit(server.url).scheme == "https":
             self._trust = ssl.create_default_context(cafile=server.certificate)
         self._http = httpx.AsyncClient(
             base_url=server.url + BASE,
             # A browser's session has to send X-Dronemap; nobody else minds.
-            headers=headers | {"X-Dronemap": "1"},
+            headers={"X-Dronemap": "1"},
             timeout=httpx.Timeout(_READ_SECONDS, connect=_CONNECT_SECONDS),
             verify=self._trust or True,
             trust_env=False,
@@ -91,8 +92,11 @@ class HttpTransport:
         content_type: str | None = None,
     ) -> HttpAnswer:
         headers = {"Content-Type": content_type} if content is not None and content_type else {}
+        ask = functools.partial(self._http.request, method, path, params=dict(query), content=content)
         try:
-            answer = await self._http.request(method, path, params=dict(query), content=content, headers=headers)
+            answer = await ask(headers=headers | self._signed())
+            if answer.status_code == _NOT_SIGNED_IN and self._found_newer_key():
+                answer = await ask(headers=headers | self._signed())
         except (httpx.ConnectError, httpx.ConnectTimeout, httpx.PoolTimeout) as e:
             raise Unreachable(f"{self._server.url} cannot be reached: {e or type(e).__name__}") from e
         except httpx.TransportError as e:
@@ -103,7 +107,17 @@ class HttpTransport:
         return HttpAnswer(answer.status_code, answer.headers, answer.content)
 
     def stream(self, port: int) -> AbstractAsyncContextManager[StreamSocket]:
-        return _WebSocket(self._stream_address(port), self._headers, self._trust)
+        return _WebSocket(self._stream_address(port), self._signed(), self._trust)
+
+    def _signed(self) -> dict[str, str]:
+        return {"Authorization": f"Bearer {self._key}"} if self._key else {}
+
+    def _found_newer_key(self) -> bool:
+        file = self._server.key_file
+        before = self._key
+        if file is not None and file.exists():
+            self._key = read_key(file)
+        return self._key != before
 
     def _stream_address(self, port: int) -> str:
         parts = urlsplit(self._server.url)
