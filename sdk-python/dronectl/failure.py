@@ -30,6 +30,10 @@ class NotSeen(DronemapError):
     """A drone was told to do something, and whether it does cannot be seen from here."""
 
 
+class NotDone(DronemapError):
+    """What was asked for came to an end other than the wanted one; the text says which."""
+
+
 class BadFile(click.ClickException):
     """A file of the user that cannot be used; the text says where and why."""
 

@@ -1,7 +1,7 @@
 """dronectl arm, takeoff, goto and so on: one drone, one command."""
 
 import asyncio
-from collections.abc import AsyncIterator, Callable
+from collections.abc import AsyncIterator, Awaitable, Callable
 from typing import Literal
 
 import click
@@ -30,7 +30,7 @@ from dronemap.drone import AsyncDrone
 
 #: What becomes of the drone when its user presses Ctrl-C on the way.
 WhenInterrupted = Literal["hold", "goOn"]
-_NO_WAIT = click.option("--no-wait", is_flag=True, help="End as soon as the vehicle has accepted it.")
+NO_WAIT = click.option("--no-wait", is_flag=True, help="End as soon as the vehicle has accepted it.")
 _CHANGES = frozenset({"command"})
 
 
@@ -61,7 +61,7 @@ async def mode(session: Session, mode: str, drone: str | None) -> None:
 
 @click.command(cls=Command)
 @click.argument("altitude", type=float)
-@_NO_WAIT
+@NO_WAIT
 @drone_option
 @connected
 async def takeoff(session: Session, altitude: float, no_wait: bool, drone: str | None) -> None:
@@ -79,7 +79,7 @@ async def takeoff(session: Session, altitude: float, no_wait: bool, drone: str |
 @click.argument("longitude", type=float)
 @click.argument("altitude", type=float)
 @click.option("--amsl", is_flag=True, help="ALTITUDE is above mean sea level, not above home.")
-@_NO_WAIT
+@NO_WAIT
 @drone_option
 @connected
 async def goto(
@@ -111,7 +111,7 @@ async def goto(
 
 
 @click.command(cls=Command)
-@_NO_WAIT
+@NO_WAIT
 @drone_option
 @connected
 async def land(session: Session, no_wait: bool, drone: str | None) -> None:
@@ -124,7 +124,7 @@ async def land(session: Session, no_wait: bool, drone: str | None) -> None:
 
 
 @click.command(cls=Command)
-@_NO_WAIT
+@NO_WAIT
 @drone_option
 @connected
 async def rtl(session: Session, no_wait: bool, drone: str | None) -> None:
@@ -191,9 +191,12 @@ async def finished(session: Session, given: AsyncCommand, working: Working) -> C
     return given.view
 
 
-def given(session: Session, view: CommandView) -> AsyncCommand:
-    """A command that the server has begun by itself, such as the fetching of a log."""
-    return AsyncCommand(view, session.server.rest, session.server.stream.messages(_CHANGES, None))
+async def conducted(session: Session, ask: Callable[[], Awaitable[CommandView]], working: Working) -> CommandView:
+    """The same for a command that an operation of its own begins, such as the fetching of a log."""
+    await session.ready()
+    # From now on: the outcome may be told before the answer has come.
+    told = session.server.stream.messages(_CHANGES, None)
+    return await finished(session, AsyncCommand(await ask(), session.server.rest, told), working)
 
 
 async def seen(

@@ -105,11 +105,20 @@ class Output:
         with progress:
             yield Working(progress, progress.add_task(words, total=None))
 
+    def write(self, content: bytes) -> None:
+        """As it is, for a pipe or a file."""
+        sys.stdout.flush()
+        sys.stdout.buffer.write(content)
+        sys.stdout.buffer.flush()
+
     def save(self, content: bytes, file: Path) -> None:
         """Whole or not at all: what was there before stays until all of it is written."""
         part = file.with_name(f"{file.name}.part")
-        part.write_bytes(content)
-        part.replace(file)
+        try:
+            part.write_bytes(content)
+            part.replace(file)
+        finally:
+            part.unlink(missing_ok=True)
         self.note(f"{file}: {len(content)} bytes.")
 
     def _write(self, line: str) -> None:

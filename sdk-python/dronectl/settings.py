@@ -2,14 +2,15 @@
 
 import asyncio
 import stat
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Protocol, TypeVar
 
 import click
 
 from dronectl.output import Output
-from dronemap import AsyncDronemap, NoSuchDrone, NotConfigured, WaitedTooLong, models
+from dronemap import AsyncDronemap, DronemapError, NoSuchDrone, NotConfigured, WaitedTooLong, models
 from dronemap.client import PATIENCE_SECONDS
 from dronemap.drone import AsyncDrone
 from dronemap.transport import Transport
@@ -87,34 +88,60 @@ class Session:
         return (await self.view(name)).id
 
     async def drone(self, name: str | None) -> AsyncDrone:
-        """The same to command and watch; a stream that does not come keeps no command back."""
+        """The same to command and watch."""
         drone = AsyncDrone(await self.view(name), self.server.rest, self.server.stream)
+        await self.ready()
+        return drone
+
+    async def ready(self) -> None:
+        """Returns when the stream is there; one that does not come keeps no command back."""
         try:
             async with asyncio.timeout(_STREAM_SECONDS):
                 await self.server.stream.ready()
         except TimeoutError:
             self.output.note("The server's stream cannot be reached: what the drone does cannot be seen.")
-        return drone
 
 
 def chosen(drones: list[models.DroneView], name: str | None) -> models.DroneView:
     """By id, else by name; never one of several."""
-    names = ", ".join(sorted(drone.name for drone in drones)) or "none"
-    if name is None:
-        if len(drones) == 1:
-            return drones[0]
-        if not drones:
-            raise NoSuchDrone("There is no drone.")
-        raise click.UsageError(
-            f"There are {len(drones)} drones: {names}. Say which with --drone.", click.get_current_context(silent=True)
-        )
-    fitting = [drone for drone in drones if drone.id == name] or [drone for drone in drones if drone.name == name]
+    if name is not None:
+        return one("drone", drones, name)
+    if not drones:
+        raise NoSuchDrone("There is no drone.")
+    if len(drones) > 1:
+        names = ", ".join(sorted(drone.name for drone in drones))
+        raise click.UsageError(f"There are {len(drones)} drones: {names}. Say which with --drone.", _context())
+    return drones[0]
+
+
+class Named(Protocol):
+    """Whatever has an id and a name at the server."""
+
+    @property
+    def id(self) -> str | None: ...
+
+    @property
+    def name(self) -> str: ...
+
+
+Thing = TypeVar("Thing", bound=Named)
+
+
+def one(kind: str, things: Sequence[Thing], wanted: str) -> Thing:
+    """The thing of that id, else the only one of that name."""
+    fitting = [thing for thing in things if thing.id == wanted] or [thing for thing in things if thing.name == wanted]
     if not fitting:
-        raise NoSuchDrone(f"There is no drone '{name}'; there are: {names}.")
+        names = ", ".join(sorted(thing.name for thing in things)) or "none"
+        error = NoSuchDrone if kind == "drone" else DronemapError
+        raise error(f"There is no {kind} '{wanted}'; there are: {names}.")
     if len(fitting) > 1:
-        ids = ", ".join(drone.id for drone in fitting)
-        raise click.UsageError(f"Several drones are called '{name}': take the id of one ({ids}).")
+        ids = ", ".join(thing.id or "" for thing in fitting)
+        raise click.UsageError(f"Several have the name '{wanted}': take the id of one ({ids}).", _context())
     return fitting[0]
+
+
+def _context() -> click.Context | None:
+    return click.get_current_context(silent=True)
 
 
 async def _ended(task: "asyncio.Future[None]") -> None:
