@@ -32,7 +32,7 @@ def config(context: click.Context) -> None:
     if settings.as_json:
         output.json({name: {"value": value, "from": origin} for name, value, origin in rows})
     else:
-        output.console.print(table(("WHAT", "VALUE", "FROM"), rows))
+        output.draw(table(("WHAT", "VALUE", "FROM"), rows))
 
 
 @click.command(cls=Command)

@@ -44,7 +44,7 @@ def operations(context: click.Context) -> None:
         (name, f"dronectl {COMMANDS[name]}" if name in COMMANDS else f"call only: {LEFT_OUT[name]}")
         for name in sorted({**COMMANDS, **LEFT_OUT})
     ]
-    output.console.print(table(("OPERATION", "COMMAND"), rows))
+    output.draw(table(("OPERATION", "COMMAND"), rows))
 
 
 @click.command(cls=Command, context_settings={"ignore_unknown_options": True})

@@ -73,7 +73,17 @@ class Output:
         if self.as_json:
             self.json(members(answer))
         else:
+            self.draw(drawn)
+
+    def draw(self, drawn: Table | str) -> None:
+        if self.console.is_terminal or isinstance(drawn, str):
             self.console.print(drawn, soft_wrap=isinstance(drawn, str))
+            return
+        with self.console.capture() as capture:
+            self.console.print(drawn)
+        # Rich fills each line up to the width of the table.
+        for line in capture.get().splitlines():
+            self._write(line.rstrip())
 
     def json(self, value: Any) -> None:
         self._write(json.dumps(value, indent=2, ensure_ascii=False))

@@ -103,9 +103,11 @@ class Session:
 
 
 def chosen(drones: list[models.DroneView], name: str | None) -> models.DroneView:
-    """By id, else by name; never one of several."""
+    """By id, else by name; never one of several. Replayed drones count where nothing else fits."""
+    real = [drone for drone in drones if not drone.replay]
     if name is not None:
-        return one("drone", drones, name)
+        return one("drone", real if any(name in (drone.id, drone.name) for drone in real) else drones, name)
+    drones = real or drones
     if not drones:
         raise NoSuchDrone("There is no drone.")
     if len(drones) > 1:
