@@ -7,6 +7,7 @@ import sys
 import click
 
 from dronectl.failure import INTERRUPTED, REFUSED, exit_code, sentence
+from dronectl.output import plain
 from dronectl.settings import Settings
 from dronectl.tree import cli
 
@@ -28,7 +29,7 @@ def main(args: list[str] | None = None, settings: Settings | None = None) -> Non
     except Exception as e:
         if os.environ.get("DRONECTL_DEBUG"):
             raise
-        click.echo(f"dronectl: {sentence(e)}", err=True)
+        click.echo(f"dronectl: {plain(sentence(e))}", err=True)
         sys.exit(exit_code(e))
 
 

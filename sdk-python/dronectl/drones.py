@@ -12,6 +12,8 @@ from dronectl.output import Output, place, table, text
 from dronectl.settings import Session, chosen
 from dronemap.contract.models import DroneView
 
+#: Narrower terminals do without the last columns.
+_WITH_PLACE = 125
 _COLUMNS = ("NAME", "ID", "LINK", "FLIGHT", "ARMED", "MODE", "HEIGHT m", "SPEED m/s", "BATTERY %", "CONTROL", "PLACE")
 #: A person reads no faster.
 _DRAW_SECONDS = 0.25
@@ -22,7 +24,7 @@ _DRAW_SECONDS = 0.25
 async def drones(session: Session) -> None:
     """List the drones that you may see."""
     answer = await session.server.rest.list_drones()
-    session.output.show(answer, _drawn(answer.drones))
+    session.output.show(answer, _drawn(answer.drones, session.output.console.width))
 
 
 @click.command(cls=Command)
@@ -52,7 +54,7 @@ async def _table(session: Session, wanted: set[str]) -> None:
     with Live(console=session.output.console, auto_refresh=False) as live:
         while True:
             seen = [change.state for change in stream.drones.values() if not wanted or change.id in wanted]
-            drawn = _drawn(seen)
+            drawn = _drawn(seen, session.output.console.width)
             if not stream.connected:
                 drawn.caption = "The connection to the server is interrupted; this is how it was."
             live.update(drawn, refresh=True)
@@ -79,8 +81,9 @@ def _tell(output: Output, told: dict[str, str], state: DroneView) -> None:
         output.say(f"{time.strftime('%H:%M:%S')} {line}")
 
 
-def _drawn(states: list[DroneView]) -> Table:
-    return table(_COLUMNS, [_row(state) for state in sorted(states, key=lambda state: state.name)])
+def _drawn(states: list[DroneView], width: int) -> Table:
+    most = len(_COLUMNS) if width >= _WITH_PLACE else len(_COLUMNS) - 1
+    return table(_COLUMNS[:most], [_row(state)[:most] for state in sorted(states, key=lambda state: state.name)])
 
 
 def _row(state: DroneView) -> tuple[object, ...]:

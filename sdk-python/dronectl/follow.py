@@ -46,6 +46,8 @@ async def list_follows(session: Session) -> None:
 @click.option("--side", type=click.Choice(_SIDES), help="Where the drone stays; else behind.")
 @click.option("--distance", type=float, help="Metres from the phone, 0 to 200; else 8.")
 @click.option("--height", type=float, help="Metres above the drone's home, 5 to 120; else 15.")
+@click.option("--bearing", type=float, help="fixed: on which side, degrees from north.")
+@click.option("--turn", type=float, help="orbit: degrees a second clockwise, -30 to 30.")
 @connected
 async def open_follow(
     session: Session,
@@ -57,9 +59,11 @@ async def open_follow(
     side: str | None,
     distance: float | None,
     height: float | None,
+    bearing: float | None,
+    turn: float | None,
 ) -> None:
     """Ask for a drone that follows from there on. It stays on the ground until start."""
-    place = _some({"side": side, "distance": distance, "height": height})
+    place = _some({"side": side, "distance": distance, "height": height, "bearing": bearing, "turn": turn})
     view = await _opened(session, latitude, longitude, drone, {"minutes": minutes, "name": name, "place": place})
     session.output.show(view, f"{_sentence(view)} Next: dronectl follow start {view.id}")
 

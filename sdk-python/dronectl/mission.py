@@ -1,5 +1,6 @@
 """dronectl mission: missions of drones, and those that are saved on the server."""
 
+import asyncio
 import json
 from pathlib import Path
 
@@ -10,7 +11,7 @@ from dronectl.command import Group, agreed, connected, drone_option, yes_option
 from dronectl.failure import NotDone
 from dronectl.flight import NO_WAIT, carried_out, interruptible, seen, told
 from dronectl.mission_file import read_mission
-from dronectl.output import members, place, table
+from dronectl.output import Working, members, place, table
 from dronectl.reading import FILE
 from dronectl.settings import Session, one
 from dronemap.arrival import mission_over
@@ -34,6 +35,8 @@ _CLOUD_LOSS = click.option(
     type=click.Choice(["continue", "rtl"]),
     help="What the vehicle does when it hears the server no more.",
 )
+#: Vehicles say once a second how far their mission is.
+_BEGINS_SECONDS = 5.0
 #: What the server takes when a mission is uploaded.
 _PLANNED = frozenset(
     {"takeOff", "waypoint", "returnToLaunch", "land", "wait", "takePhoto", "setServo", "lookAt", "lookAhead"}
@@ -185,8 +188,23 @@ async def _started(session: Session, drone: AsyncDrone, on_cloud_loss: str | Non
                 await carried_out(session, drone, ArmCommand(), working)
             view: CommandView = await carried_out(session, drone, command, working)
             if not no_wait:
+                await _begun(session, drone, working)
                 await seen(session, drone, mission_over, "at the end of its mission", working, _item_of)
     session.output.show(view, f"{drone.name}: its mission is {'started' if no_wait else 'over'}.")
+
+
+async def _begun(session: Session, drone: AsyncDrone, working: Working) -> None:
+    """Returns when it flies: what the vehicle said of a mission before may still stand for a moment."""
+    try:
+        async with asyncio.timeout(_BEGINS_SECONDS):
+            await seen(session, drone, _flies_it, "flying its mission", working, _item_of)
+    except TimeoutError:
+        # It was flown faster than that was told, or the vehicle says nothing of it: how it is now counts.
+        return
+
+
+def _flies_it(state: DroneView) -> bool:
+    return state.armed is True and state.mission.state != "complete"
 
 
 def _item_of(state: DroneView) -> str:

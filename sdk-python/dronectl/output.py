@@ -1,6 +1,7 @@
 """What is printed: tables for people, JSON for programs, and a line on stderr about what goes on."""
 
 import json
+import re
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
@@ -15,6 +16,7 @@ from rich.table import Table
 
 #: A table that goes into a file or a pipe is not cut to the width of a terminal.
 _WIDE = 250
+_CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
 
 
 def members(value: BaseModel) -> Any:
@@ -32,6 +34,11 @@ def table(columns: Sequence[str], rows: Iterable[Sequence[object]]) -> Table:
     return drawn
 
 
+def plain(words: str) -> str:
+    """Without control characters: what a vehicle says must not steer the terminal."""
+    return _CONTROL.sub("\N{REPLACEMENT CHARACTER}", words)
+
+
 def text(value: object) -> str:
     if value is None:
         return ""
@@ -41,7 +48,7 @@ def text(value: object) -> str:
         return f"{value:.1f}"
     if isinstance(value, datetime):
         return f"{value.astimezone():%Y-%m-%d %H:%M:%S}"
-    return str(value)
+    return plain(str(value))
 
 
 def place(latitude: float | None, longitude: float | None) -> str:
@@ -57,7 +64,7 @@ class Working:
 
     def say(self, words: str, done: float | None = None, total: float | None = None) -> None:
         """`done` of `total` is drawn as a bar."""
-        self._progress.update(self._task, description=words, completed=done, total=total)
+        self._progress.update(self._task, description=plain(words), completed=done, total=total)
 
 
 class Output:
@@ -77,7 +84,7 @@ class Output:
 
     def draw(self, drawn: Table | str) -> None:
         if self.console.is_terminal or isinstance(drawn, str):
-            self.console.print(drawn, soft_wrap=isinstance(drawn, str))
+            self.console.print(plain(drawn) if isinstance(drawn, str) else drawn, soft_wrap=isinstance(drawn, str))
             return
         with self.console.capture() as capture:
             self.console.print(drawn)
@@ -95,11 +102,11 @@ class Output:
     def say(self, words: str) -> None:
         """For people only."""
         if not self.as_json:
-            self.console.print(words, soft_wrap=True)
+            self.console.print(plain(words), soft_wrap=True)
 
     def note(self, words: str) -> None:
         """On stderr, with --json too: what must not be overlooked."""
-        self.errors.print(words, soft_wrap=True)
+        self.errors.print(plain(words), soft_wrap=True)
 
     @contextmanager
     def working(self, words: str) -> Iterator[Working]:

@@ -61,6 +61,8 @@ def read_track(file: Path, speed: float) -> Track:
     if not all(-90 <= latitude <= 90 and -180 <= longitude <= 180 for latitude, longitude in places):
         raise BadFile(f"{file}: latitudes must be from -90 to 90 and longitudes from -180 to 180 degrees.")
     seconds = [second for _, _, second in found]
+    if not places:
+        raise _no_way(file)
     if any(second is None for second in seconds):
         return _joined(file, _paced(places, speed), places)
     begin = seconds[0] or 0.0
@@ -77,8 +79,12 @@ def _joined(file: Path, seconds: Iterable[float], places: list[tuple[float, floa
             times.append(second)
             kept.append(place)
     if len(times) < 2:
-        raise BadFile(f"{file} has no way: it needs two points at least that lie apart.")
+        raise _no_way(file)
     return Track(tuple(times), tuple(kept))
+
+
+def _no_way(file: Path) -> BadFile:
+    return BadFile(f"{file} has no way: it needs two points at least that lie apart.")
 
 
 def _paced(places: list[tuple[float, float]], speed: float) -> list[float]:

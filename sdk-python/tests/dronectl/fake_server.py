@@ -61,11 +61,16 @@ class FakeServer:
             raise Unreachable("http://127.0.0.1:1 cannot be reached: refused")
         asked = Asked(method, path, query, content, content_type)
         self.asked.append(asked)
+        # As on a network, whatever else is to be done is done before the answer comes.
+        await asyncio.sleep(0.01)
         answer = self.answers.get(f"{method} {path}", self._usual(asked))
         if callable(answer):
             answer = answer(asked)
         if isinstance(answer, Exception):
             raise answer
+        if method == "POST" and path.endswith("/commands"):
+            self.on_command(self, asked.body)
+            await asyncio.sleep(0.01)
         return _http(answer)
 
     def stream(self, port: int) -> AbstractAsyncContextManager[StreamSocket]:
@@ -102,7 +107,6 @@ class FakeServer:
         if (asked.method, asked.path) == ("GET", "/drones"):
             return {"drones": self.drones}
         if asked.method == "POST" and asked.path.endswith("/commands"):
-            self.on_command(self, asked.body)
             return command(asked.body["type"], id=asked.body["id"])
         return problem(404, f"There is nothing at {asked.path}.", "not-found")
 
