@@ -2,7 +2,6 @@
 
 import asyncio
 import re
-from dataclasses import replace
 
 from dronectl.settings import Settings
 from dronemap import DronemapError
@@ -17,7 +16,7 @@ _WORD = re.compile(r"[\w.+@-]+")
 def drone_names(settings: Settings) -> list[tuple[str, str]]:
     """What to write for each drone, and what to say about it; empty when the server does not answer at once."""
     try:
-        drones = asyncio.run(_listed(replace(settings, timeout=_SECONDS)))
+        drones = asyncio.run(_listed(settings))
     except (DronemapError, TimeoutError, OSError):
         # A completion has nowhere to report to; the command itself will say what is wrong.
         return []
@@ -28,5 +27,5 @@ def drone_names(settings: Settings) -> list[tuple[str, str]]:
 
 
 async def _listed(settings: Settings) -> list[DroneView]:
-    async with asyncio.timeout(_SECONDS), settings.connect() as server:
+    async with asyncio.timeout(_SECONDS), settings.connect(patience=0) as server:
         return (await server.rest.list_drones()).drones

@@ -45,8 +45,9 @@ class Settings:
             raise NotConfigured(f"There is no access key in {self.key_file}: it is empty.")
         return key
 
-    def connect(self) -> AsyncDronemap:
-        patience = PATIENCE_SECONDS if self.timeout is None else min(PATIENCE_SECONDS, self.timeout)
+    def connect(self, patience: float = PATIENCE_SECONDS) -> AsyncDronemap:
+        """`patience` seconds, or those of --timeout if they are less, are tried again for what fails."""
+        patience = patience if self.timeout is None else min(patience, self.timeout)
         key = None if self.transport is not None else self.key()
         return AsyncDronemap.connect(self.url, key, profile=self.profile, transport=self.transport, patience=patience)
 
