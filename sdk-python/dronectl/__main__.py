@@ -6,7 +6,7 @@ import sys
 
 import click
 
-from dronectl.failure import INTERRUPTED, REFUSED, exit_code, sentence
+from dronectl.failure import INTERRUPTED, REFUSED, WRONG_USE, exit_code, sentence
 from dronectl.output import plain
 from dronectl.settings import Settings
 from dronectl.tree import cli
@@ -26,6 +26,9 @@ def main(args: list[str] | None = None, settings: Settings | None = None) -> Non
         # Whoever read has gone, such as `head`: there is nobody to tell.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         sys.exit(REFUSED)
+    except click.exceptions.NoArgsIsHelpError as e:
+        click.echo(e.format_message(), err=True)
+        sys.exit(WRONG_USE)
     except Exception as e:
         if os.environ.get("DRONECTL_DEBUG"):
             raise

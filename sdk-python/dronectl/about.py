@@ -20,7 +20,10 @@ _SHELLS = ("bash", "zsh", "fish")
 @click.command(cls=Command)
 @click.pass_context
 def config(context: click.Context) -> None:
-    """Show which server is asked and where its access key comes from; the key itself is never shown."""
+    """Show where url and access key come from.
+
+    The key itself is never shown.
+    """
     settings = context.ensure_object(Settings)
     server = find_server(settings.url, settings.key(), profile=settings.profile)
     rows = [
@@ -57,7 +60,9 @@ async def _server_version(session: Session) -> None:
 @click.argument("shell", type=click.Choice(_SHELLS))
 @click.pass_context
 def completion(context: click.Context, shell: str) -> None:
-    """Print what has a shell complete dronectl's words and the names of drones.
+    """Print the completion for a shell.
+
+    It completes commands, options, and the names of drones.
 
     \b
     bash: eval "$(dronectl completion bash)"       in ~/.bashrc

@@ -34,7 +34,10 @@ class OperationId(click.types.StringParamType):
 @click.command(cls=Command)
 @click.pass_context
 def operations(context: click.Context) -> None:
-    """List all operations of the server with the command that has each, or why none has."""
+    """List all operations of the server.
+
+    Each with the command that has it, or why none has.
+    """
     settings = context.ensure_object(Settings)
     output = Output(settings.as_json)
     if settings.as_json:
@@ -56,7 +59,9 @@ def operations(context: click.Context) -> None:
 async def call(
     session: Session, operation: str, parameters: tuple[str, ...], body: Path | None, file: Path | None
 ) -> None:
-    """Call any OPERATION of the server (see: dronectl operations), and print its answer as JSON.
+    """Call any OPERATION of the server.
+
+    Its answer is printed as JSON. Operations are listed by: dronectl operations.
 
     \b
     dronectl call getDrone id=dksghuu5qf

@@ -31,6 +31,7 @@ from dronemap.drone import AsyncDrone
 #: What becomes of the drone when its user presses Ctrl-C on the way.
 WhenInterrupted = Literal["hold", "goOn"]
 NO_WAIT = click.option("--no-wait", is_flag=True, help="End as soon as the vehicle has accepted it.")
+_LOOK_SECONDS = 1.0
 _CHANGES = frozenset({"command"})
 
 
@@ -211,9 +212,11 @@ async def seen(
     if not session.server.stream.connected:
         raise NotSeen(f"{drone.name} was told, and does it; whether it arrives cannot be seen.")
     states = drone.states()
+    looking = asyncio.ensure_future(_connection(session, drone, working))
     try:
         await arrived(_told_of(states, working, further), reached, aim)
     finally:
+        looking.cancel()
         await states.aclose()
 
 
@@ -250,6 +253,14 @@ async def _told_of(
         height = None if state.position is None else state.position.altitude_above_home
         working.say(f"{state.name}: {state.mode}{'' if height is None else f', {height:.1f} m'}{further(state)}")
         yield state
+
+
+async def _connection(session: Session, drone: AsyncDrone, working: Working) -> None:
+    """Says when nothing is heard of it: what stands there would be old."""
+    while True:
+        await asyncio.sleep(_LOOK_SECONDS)
+        if not session.server.stream.connected:
+            working.say(f"{drone.name}: the connection to the server is interrupted")
 
 
 async def _progress(session: Session, command: str, summary: str, working: Working) -> None:

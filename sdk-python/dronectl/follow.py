@@ -23,7 +23,10 @@ _SIDES = ("behind", "ahead", "fixed", "orbit")
 
 @click.group(cls=Group)
 def follow() -> None:
-    """Follows: a drone keeps its place beside positions that are reported once a second."""
+    """Drones that follow a phone.
+
+    Such a drone keeps its place beside positions that are reported once a second.
+    """
 
 
 @follow.command("list")

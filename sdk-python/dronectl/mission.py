@@ -66,7 +66,10 @@ async def list_saved(session: Session) -> None:
 @drone_option
 @connected
 async def show(session: Session, saved: str | None, drone: str | None) -> None:
-    """Show a saved mission by its name or id; without one, the mission of the drone."""
+    """Show the mission of the drone, or a saved one.
+
+    A saved MISSION is said by its name or id.
+    """
     if saved is not None:
         found = await _saved(session, saved)
         session.output.show(found, _drawn(found.items))
@@ -105,7 +108,10 @@ async def delete(session: Session, saved: str, yes: bool) -> None:
 @drone_option
 @connected
 async def upload(session: Session, file: Path, drone: str | None) -> None:
-    """Bring the mission of FILE to the drone, in place of the one it has."""
+    """Bring the mission of FILE to the drone.
+
+    It takes the place of the one that it has.
+    """
     items = _items(session, file)
     await told(session, await session.drone(drone), UploadMissionCommand(items=items))
 
@@ -134,9 +140,9 @@ async def fly(session: Session, file: Path, on_cloud_loss: str | None, no_wait: 
 @drone_option
 @connected
 async def start(session: Session, on_cloud_loss: str | None, no_wait: bool, drone: str | None) -> None:
-    """Arm where that is needed, start the mission that the drone has, and wait for its end.
+    """Start the mission that the drone has.
 
-    Ctrl-C while it flies: the drone holds.
+    It is armed where that is needed; dronectl waits for the end. Ctrl-C while it flies: the drone holds.
     """
     await _started(session, await session.drone(drone), on_cloud_loss, no_wait)
 

@@ -6,6 +6,7 @@ from dronectl import about, call, drones, events, flight, follow, keys, logs, mi
 from dronectl import virtual as virtual_drones
 from dronectl import zones as zone
 from dronectl.command import Group
+from dronemap import __version__
 
 _COMMANDS: tuple[click.Command, ...] = (
     drones.drones,
@@ -45,6 +46,7 @@ class _InOrder(Group):
         return list(self.commands)
 
 
+@click.version_option(__version__, message="dronectl %(version)s")
 @click.group(cls=_InOrder, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
 def cli() -> None:
     """List, watch and command the drones of a Dronemap server.

@@ -14,7 +14,7 @@ from dronemap.contract.models import PointGeometry, PolygonGeometry, ZoneFeature
 
 @click.group(cls=Group)
 def zones() -> None:
-    """Zones that drones keep out of or stay in; each by its name or id."""
+    """Where drones may fly; each zone by its name or id."""
 
 
 @zones.command("list")

@@ -12,7 +12,7 @@ from click.testing import CliRunner, Result
 from dronectl.__main__ import main
 from dronectl.settings import Settings
 from dronemap import Unreachable
-from dronemap.transport import HttpAnswer, StreamSocket
+from dronemap.transport import HttpAnswer, StreamClosed, StreamSocket
 
 NOW = "2026-03-04T05:06:07Z"
 Members = dict[str, Any]
@@ -43,6 +43,8 @@ class FakeServer:
     asked: list[Asked] = field(default_factory=list)
     on_command: Callable[["FakeServer", Members], None] = lambda server, command: None
     away: bool = False
+    mute: bool = False
+    """No stream is to be had."""
 
     def __post_init__(self) -> None:
         self._told: list[asyncio.Queue[Members]] = []
@@ -112,6 +114,8 @@ class FakeServer:
 
     @asynccontextmanager
     async def _streamed(self) -> Any:
+        if self.mute:
+            raise StreamClosed("mute")
         told: asyncio.Queue[Members] = asyncio.Queue()
         self._told.append(told)
         told.put_nowait({"type": "drones", "drones": list(self.drones)})

@@ -109,6 +109,14 @@ def test_version_of_both() -> None:
     assert (away.exit_code, away.stdout) == (4, f"dronectl {__version__}\n")
 
 
+def test_without_a_command_it_explains_itself(capsys: pytest.CaptureFixture[str]) -> None:
+    for args in ([], ["mission"]):
+        code, out, err = dronectl(capsys, *args)
+        assert (code, out) == (2, "")
+        assert err.startswith("Usage: dronectl")
+    assert dronectl(capsys, "--version") == (0, f"dronectl {__version__}\n", "")
+
+
 class _Answers(BaseHTTPRequestHandler):
     drones = (drone(), drone("d2", "Heron-2"), drone("d3", "Grey heron"))
 

@@ -1,5 +1,7 @@
 """Commands that make a drone fly, and how dronectl ends."""
 
+import asyncio
+import functools
 import json
 import os
 import signal
@@ -113,6 +115,48 @@ def test_one_of_several_drones_has_to_be_named(server: FakeServer) -> None:
     assert run(server, "arm", "--drone", "Heron-1").exit_code == 0
     assert run(server, "arm", "--drone", "d1").exit_code == 0
     assert run(server, "arm", "--drone", "Stork").exit_code == 1
+
+
+def test_replayed_drone_is_not_meant_where_a_real_one_has_the_name(server: FakeServer) -> None:
+    server.drones.append(drone("d2", "Heron-1", replay=True))
+    assert run(server, "arm").exit_code == 0
+    assert run(server, "arm", "--drone", "Heron-1").exit_code == 0
+    assert len(server.commands()) == 2
+
+
+def test_two_drones_of_one_name_are_told_apart_by_id(server: FakeServer) -> None:
+    server.drones.append(drone("d2", "Heron-1"))
+    result = run(server, "arm", "--drone", "Heron-1")
+    assert result.exit_code == 2
+    assert "d1, d2" in result.stderr
+
+
+def test_command_is_given_where_the_stream_cannot_be_reached(
+    server: FakeServer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("dronectl.settings._STREAM_SECONDS", 0.05)
+    server.mute = True
+    assert run(server, "hold").exit_code == 0
+    result = run(server, "takeoff", "10")
+    assert result.exit_code == 3
+    assert "whether it arrives cannot be seen" in result.stderr
+    assert [given["type"] for given in server.commands()] == ["hold", "takeOff"]
+
+
+def test_line_tells_how_far_it_is_where_somebody_looks(server: FakeServer, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    monkeypatch.setenv("COLUMNS", "120")
+
+    def climbs(server: FakeServer, given: Members) -> None:
+        for step in range(1, 5):
+            position = server.drones[0]["position"] | {"altitudeAboveHome": 2.5 * step}
+            climbed = functools.partial(server.fly, flight="inAir", position=position)
+            asyncio.get_running_loop().call_later(0.15 * step, climbed)
+
+    server.on_command = climbs
+    result = run(server, "takeoff", "10")
+    assert "Heron-1: GUIDED, 5.0 m" in result.stderr
+    assert "GUIDED, 5.0 m" not in run(server, "takeoff", "10", "--json").stderr
 
 
 def test_changes_the_mode_first_where_the_vehicle_wants_that(server: FakeServer) -> None:

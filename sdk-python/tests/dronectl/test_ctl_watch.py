@@ -49,6 +49,17 @@ def test_watch_of_one_drone_as_json(server: FakeServer) -> None:
     assert told[-1] == server.drones[0]
 
 
+def test_watch_at_a_terminal_is_a_table(server: FakeServer, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("FORCE_COLOR", "1")
+    monkeypatch.setenv("COLUMNS", "150")
+    server.answers["GET /settings"] = soon(lambda: server.fly(mode="LOITER"))
+    printed = run(server, "watch", "Heron-1", "--timeout", "0.8").stdout
+    assert "BATTERY %" in printed
+    assert "GUIDED" in printed
+    assert "LOITER" in printed
+    assert "Heron-2" not in printed
+
+
 def test_watch_ends_with_ctrl_c(server: FakeServer) -> None:
     server.answers["GET /settings"] = soon(lambda: os.kill(os.getpid(), signal.SIGINT))
     assert run(server, "watch").exit_code == 130
