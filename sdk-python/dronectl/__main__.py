@@ -3,19 +3,25 @@
 import asyncio
 import os
 import sys
+from typing import TYPE_CHECKING
 
 import click
 
 from dronectl.failure import INTERRUPTED, REFUSED, WRONG_USE, exit_code, sentence
 from dronectl.output import plain
-from dronectl.settings import Settings
-from dronectl.tree import cli
+
+if TYPE_CHECKING:
+    from dronectl.settings import Settings
 
 
-def main(args: list[str] | None = None, settings: Settings | None = None) -> None:
+def main(args: list[str] | None = None, settings: "Settings | None" = None) -> None:
     """Runs what the command line says, and ends with a code: 0 done, 1 refused or failed, 2 wrong use, 3 not known,
     4 no server, 130 interrupted. `args` and `settings` are what tests put in their place."""
     try:
+        # Here, since Ctrl-C while all of it is read is no traceback either.
+        from dronectl.settings import Settings
+        from dronectl.tree import cli
+
         # Not standalone: it would end with codes of its own. An early end, such as --help, is what it returns then.
         cli.main(args, prog_name="dronectl", standalone_mode=False, obj=settings or Settings())
         sys.stdout.flush()

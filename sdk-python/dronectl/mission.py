@@ -215,7 +215,10 @@ def _flies_it(state: DroneView) -> bool:
 
 def _item_of(state: DroneView) -> str:
     current, total = state.mission.current, state.mission.total
-    return "" if current is None else f", item {current} of {total}" if total else f", item {current}"
+    if current is None:
+        return ""
+    # The contract counts from 0, people from 1.
+    return f", item {current + 1}{f' of {total}' if total else ''}"
 
 
 async def _saved(session: Session, wanted: str) -> SavedMissionView:
@@ -235,7 +238,7 @@ def _unknown(state: DroneView) -> str:
 
 def _drawn(items: list[MissionItemView], current: int | None = None) -> Table:
     rows = []
-    for number, item in enumerate(items, 1):
+    for index, item in enumerate(items):
         one_item = members(item)
         height = one_item.get("altitude")
         reference = one_item.get("altitudeReference") or "home"
@@ -244,7 +247,7 @@ def _drawn(items: list[MissionItemView], current: int | None = None) -> Table:
         more += [one_item["description"]] if "description" in one_item else []
         rows.append(
             (
-                f"{number}{' <' if number == current else ''}",
+                f"{index + 1}{' <' if index == current else ''}",
                 one_item["type"],
                 place(one_item.get("latitude"), one_item.get("longitude")),
                 None if height is None else f"{height:g} m above {'sea level' if reference == 'amsl' else reference}",

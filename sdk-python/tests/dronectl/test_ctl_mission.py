@@ -130,7 +130,8 @@ def test_mission_that_nobody_knows(server: FakeServer) -> None:
 
 
 def test_show_marks_the_item_that_is_flown(server: FakeServer) -> None:
-    assert "2 <" in run(server, "mission", "show").stdout
+    # The contract counts from 0, people from 1.
+    assert "3 <" in run(server, "mission", "show").stdout
 
 
 def test_refused_mission_is_not_flown(server: FakeServer, file: str) -> None:
