@@ -4,7 +4,7 @@ import json
 import re
 import sys
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from datetime import datetime
 from pathlib import Path
 from typing import Any
@@ -117,9 +117,9 @@ class Output:
             TimeElapsedColumn(),
             console=self.errors,
             transient=True,
-            disable=self.as_json or not self.errors.is_terminal,
         )
-        with progress:
+        looked_at = self.errors.is_terminal and not self.as_json
+        with progress if looked_at else nullcontext():
             yield Working(progress, progress.add_task(words, total=None))
 
     def write(self, content: bytes) -> None:
