@@ -40,7 +40,7 @@ COMMANDS: dict[str, str] = {
     "importParameters": "params diff",
     "importZones": "zones import",
     "listAccessKeys": "keys list",
-    "listDroneEvents": "events",
+    "listDroneEvents": "events list",
     "listDrones": "drones",
     "listFollows": "follow list",
     "listLogs": "logs list",

@@ -40,7 +40,7 @@ VIRTUALS = {"GET /virtual-drones": {"virtualDrones": [samples.VIRTUAL]}}
 DONE = command("setParameters")
 CASES = [
     Case("drones", "GET /drones", None, "Heron-1"),
-    Case("events", "GET /drones/d1/events", samples.EVENTS, "Armed."),
+    Case("events list", "GET /drones/d1/events", samples.EVENTS, "Armed."),
     Case("mission list", "GET /missions", MISSIONS["GET /missions"], "round"),
     Case("mission show round", "GET /missions", MISSIONS["GET /missions"], "10 m above home"),
     Case("mission save mission.json round", "POST /missions", samples.SAVED, "round", {"items": samples.ITEMS}),
