@@ -1,0 +1,20 @@
+/** The client of Dronemap: every operation of REST, the stream, commands and control. */
+export type * from './contract/schemas.js';
+export { OPERATIONS, type RestOperations } from './contract/operations.js';
+export { PURPOSES } from './contract/purposes.js';
+export { VERSION } from './version.js';
+export type { CallOptions, FileBody } from './rest/operation.js';
+export { Problem, sentenceFor, type ProblemBody } from './rest/problem.js';
+export { RestClient, type Fetch, type LookOperation, type RestOptions } from './rest/rest-client.js';
+export {
+  openSocket,
+  StreamClient,
+  streamAddress,
+  systemTimers,
+  type Socket,
+  type SocketClass,
+  type SocketHandle,
+  type StreamListener,
+  type StreamOptions,
+  type Timers,
+} from './stream/stream-client.js';
