@@ -18,3 +18,18 @@ export {
   type StreamOptions,
   type Timers,
 } from './stream/stream-client.js';
+export { Dronemap, type ConnectOptions } from './dronemap.js';
+export { Drone, WaitEnded, type CommandOptions, type WaitOptions } from './drone.js';
+export {
+  CommandError,
+  Failed,
+  OutcomeUnknown,
+  Refused,
+  Superseded,
+  TimedOut,
+} from './command/command-error.js';
+export type { GiveOptions } from './command/give.js';
+export { GivenCommand, type OutcomeOptions } from './command/given-command.js';
+export { Control, ControlLost, type ControlOptions, type OnExit } from './control/control.js';
+export type { Change, ChangesOptions, Gap, StatesOptions } from './watch/watching.js';
+export { newUuid } from './uuid.js';

@@ -38,6 +38,11 @@ export class Problem extends Error {
     return this.type === 'urn:dronemap:problem:session-ended';
   }
 
+  /** The same request may be taken later: the server was not reached, is busy, or was asked too often. */
+  get mayPass(): boolean {
+    return this.status === 0 || this.status === 429 || this.status === 503;
+  }
+
   static unreachable(): Problem {
     return new Problem({
       status: 0,

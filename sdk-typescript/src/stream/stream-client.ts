@@ -14,6 +14,7 @@ export interface Socket extends SocketHandle {
   onopen: (() => void) | null;
   onmessage: ((event: { readonly data: unknown }) => void) | null;
   onclose: (() => void) | null;
+  onerror: (() => void) | null;
 }
 
 /** Opens one of that class; without one, of the class that browsers and Node from version 22 on have. */
@@ -159,6 +160,8 @@ export class StreamClient {
   #listen(socket: Socket, generation: number): void {
     this.#socket = socket;
     this.#watchSilence();
+    // It is closed after that, which is heard; in Node an error that nobody listens to would end the program.
+    socket.onerror = () => undefined;
     const { greeting } = this.#options;
     if (greeting !== undefined) {
       socket.onopen = () => socket.send(JSON.stringify(greeting));

@@ -1,7 +1,7 @@
 import { getContext, setContext } from 'svelte';
 import { RestClient } from '../api/rest';
 import { Problem } from '../api/problem';
-import { openSocket, StreamClient, streamAddress, systemTimers } from '@dronemap/client';
+import { newUuid, openSocket, StreamClient, streamAddress, systemTimers } from '@dronemap/client';
 import { mayAct, type Role, type Session } from '../api/accounts';
 import type { Positions, Receipt } from '../api/follows';
 import type { CommandKind, Drone, Settings, StreamMessage } from '../api/types';
@@ -14,7 +14,6 @@ import { Directory } from './directory.svelte';
 import { Fleet } from './fleet.svelte';
 import { Follows } from './follows.svelte';
 import { applyUpdate } from './stream-updates';
-import { newUuid } from './uuid';
 import { Planner } from './planner.svelte';
 import { Preferences } from './preferences.svelte';
 import { Runs } from './runs.svelte';
