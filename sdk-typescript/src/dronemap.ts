@@ -4,6 +4,7 @@ import { Drone } from './drone.js';
 import { RestClient, type Fetch } from './rest/rest-client.js';
 import { systemTimers, type SocketClass, type Timers } from './stream/stream-client.js';
 import { SharedStream } from './watch/shared-stream.js';
+import { eventsOf, type DroneEvent, type EventsOptions } from './watch/events.js';
 import { changesOf, readable, type Change, type ChangesOptions } from './watch/watching.js';
 
 interface Place {
@@ -87,6 +88,14 @@ export class Dronemap implements AsyncDisposable {
   /** Whatever changes in sight of this user, over lost connections too; a `gap` says that some was missed. */
   changes(options: ChangesOptions = {}): AsyncIterable<Change> {
     return readable(() => changesOf(this.#stream, options));
+  }
+
+  /**
+   * What happens to drones, as the server writes it down: none is missed or told twice while it is read, and a program
+   * goes on later from the `resume` of what it has read.
+   */
+  events(options: EventsOptions = {}): AsyncIterable<DroneEvent> {
+    return readable(() => eventsOf({ rest: this.rest, timers: this.#timers }, options));
   }
 
   /** Ends the stream; whoever reads it is told. */

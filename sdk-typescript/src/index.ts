@@ -31,5 +31,6 @@ export {
 export type { GiveOptions } from './command/give.js';
 export { GivenCommand, type OutcomeOptions } from './command/given-command.js';
 export { Control, ControlLost, type ControlOptions, type OnExit } from './control/control.js';
+export type { DroneEvent, EventsOptions } from './watch/events.js';
 export type { Change, ChangesOptions, Gap, StatesOptions } from './watch/watching.js';
 export { newUuid } from './uuid.js';

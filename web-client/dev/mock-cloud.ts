@@ -97,7 +97,7 @@ export class MockCloud {
   greeting(): object[] {
     const { name, role } = this.accounts;
     return [
-      { type: 'hello', user: name, role },
+      { type: 'hello', user: name, role, version: 'development' },
       { type: 'drones', drones: this.drones.map((drone) => snapshotOf(drone)) },
       ...this.#follows.underWay.map((follow) => ({ type: 'follow', follow })),
     ];

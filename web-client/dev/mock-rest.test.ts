@@ -56,7 +56,7 @@ describe('a scenario of the mock server that answers what is not described', () 
   it('ends a stream that is to say it', () => {
     const [sent, breaches, closed]: [string[], string[], number[]] = [[], [], []];
     const stream = new MockStream(readStream(), {
-      greeting: () => [{ type: 'hello', user: 'ann', role: 'guest' }],
+      greeting: () => [{ type: 'hello', user: 'ann', role: 'guest', version: '1.0.0' }],
       answer: () => undefined,
       phoneLeft: () => undefined,
       breach: (sentence) => breaches.push(sentence),

@@ -1,8 +1,8 @@
 import type { CommandRequest, CommandView } from '../contract/schemas.js';
 import type { RestOperations } from '../contract/operations.js';
+import { Patience } from '../rest/patience.js';
 import { Problem } from '../rest/problem.js';
 import type { Timers } from '../stream/stream-client.js';
-import { pause } from '../timing.js';
 import { OutcomeUnknown, Refused } from './command-error.js';
 
 export interface GiveOptions {
@@ -21,8 +21,6 @@ export type IdentifiedRequest = CommandRequest & { readonly id: string };
 
 const PATIENCE_MILLISECONDS = 30_000;
 const ANSWER_MILLISECONDS = 10_000;
-const FIRST_PAUSE_MILLISECONDS = 500;
-const LONGEST_PAUSE_MILLISECONDS = 5_000;
 
 /** Gives a command, again and again with the same id while there is no answer. */
 export async function give(
@@ -33,21 +31,18 @@ export async function give(
 ): Promise<CommandView> {
   const end = timers.now() + timeout;
   let perhapsGiven = false;
-  for (let pauseMilliseconds = FIRST_PAUSE_MILLISECONDS; ; pauseMilliseconds *= 2) {
+  const patience = new Patience(timers);
+  for (;;) {
     try {
       return await rest.giveCommand({ id: drone }, request, { signal, timeout: ANSWER_MILLISECONDS });
     } catch (thrown) {
       const problem = asRefusal(thrown);
       perhapsGiven ||= problem.status === 0;
-      const { retryAfterSeconds } = problem;
-      const wait =
-        retryAfterSeconds === null
-          ? Math.min(pauseMilliseconds, LONGEST_PAUSE_MILLISECONDS)
-          : retryAfterSeconds * 1000;
+      const wait = patience.afterProblem(problem);
       if (!problem.mayPass || timers.now() + wait > end) {
         throw perhapsGiven ? unknown(request, problem) : problem;
       }
-      await pause(timers, wait, signal);
+      await patience.wait(wait, signal);
     }
   }
 }

@@ -42,6 +42,7 @@ import type {
   FollowPositionsRequest,
   FollowReceipt,
   FollowView,
+  FollowedEvents,
   GiftRequest,
   GiftView,
   Gifts,
@@ -233,6 +234,8 @@ export interface RestOperations {
   exportParameters(parameters: { id: string; form?: string | undefined }, options?: CallOptions): Promise<string>;
   /** Come back from the provider: GET /api/v1/session/oidc/callback */
   finishSignInElsewhere(parameters?: { code?: string | undefined; state?: string | undefined }, options?: CallOptions): Promise<Response>;
+  /** Follow what happens to drones: GET /api/v1/events */
+  followEvents(parameters?: { after?: string | null | undefined; limit?: number | null | undefined; drones?: string | null | undefined; wait?: number | undefined }, options?: CallOptions): Promise<FollowedEvents>;
   /** Get a receipt for all records up to now (supervisor): GET /api/v1/audit/receipt */
   getAuditReceipt(options?: CallOptions): Promise<ReceiptView>;
   /** Look at one command: GET /api/v1/commands/{id} */
@@ -586,6 +589,7 @@ export const OPERATIONS = {
   exportLogbook: { method: 'GET', path: '/api/v1/flights/logbook', query: ['drone', 'user', 'from', 'until', 'words'], answer: 'text' },
   exportParameters: { method: 'GET', path: '/api/v1/drones/{id}/parameters/file', query: ['form'], answer: 'text' },
   finishSignInElsewhere: { method: 'GET', path: '/api/v1/session/oidc/callback', query: ['code', 'state'], answer: 'redirect' },
+  followEvents: { method: 'GET', path: '/api/v1/events', query: ['after', 'limit', 'drones', 'wait'], answer: 'json' },
   getAuditReceipt: { method: 'GET', path: '/api/v1/audit/receipt', answer: 'json' },
   getCommand: { method: 'GET', path: '/api/v1/commands/{id}', answer: 'json' },
   getControl: { method: 'GET', path: '/api/v1/drones/{id}/control', answer: 'json' },

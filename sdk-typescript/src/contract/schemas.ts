@@ -1529,13 +1529,14 @@ export interface components {
             /** @enum {string} */
             type: "followNow";
         };
-        /** @description The first message: who you are. */
+        /** @description The first message: who you are, and the version of the server. */
         StreamHello: {
             /** @enum {string} */
             role: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator";
             /** @enum {string} */
             type: "hello";
             user: string;
+            version: string;
         };
         /** @description Ends what was steered: the vehicle stands still at once. */
         StreamLetGoRequest: {
@@ -2169,6 +2170,32 @@ export interface components {
             name?: string | null;
             organisation?: string | null;
         };
+        EventGap: {
+            /**
+             * Format: int64
+             * @description Events with higher numbers come after the gap; 0: all do
+             */
+            after: number;
+            /** @enum {string} */
+            cause: "notWritten" | "serverEnded" | "restored" | "expired" | "otherSeries";
+            /**
+             * Format: int64
+             * @description How many events are missing, those of drones that are not shown to you included; told to those who run the server; null: not known, or not told
+             */
+            count: number | null;
+            /**
+             * Format: date-time
+             * @description Since when events are missing; null: not known
+             */
+            from: string | null;
+            /** @description The reason, as a sentence */
+            text: string;
+            /**
+             * Format: date-time
+             * @description Until when; null: not known
+             */
+            until: string | null;
+        };
         EventView: {
             /** Format: date-time */
             at: string;
@@ -2407,6 +2434,14 @@ export interface components {
              * @description When this is sent
              */
             sent: string;
+        };
+        FollowedEvents: {
+            /** @description By their numbers */
+            events: components["schemas"]["NumberedEvent"][];
+            /** @description Where events are missing, in order */
+            gaps: components["schemas"]["EventGap"][];
+            /** @description To go on from, as after: a text that only the server reads */
+            next: string;
         };
         GiftRequest: {
             /** @description Whether the new owners see flights, recordings, commands and telemetry of before, without names of people */
@@ -2710,6 +2745,28 @@ export interface components {
             password?: string | null;
             /** @enum {string|null} */
             role?: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator" | null;
+        };
+        NumberedEvent: {
+            /** Format: date-time */
+            at: string;
+            by: string | null;
+            /** @description Id of the command */
+            command: string | null;
+            /** @description Id of the drone */
+            drone: string;
+            /** @enum {string} */
+            kind: "armed" | "disarmed" | "mode" | "phase" | "message" | "command" | "mission" | "control";
+            /**
+             * Format: int64
+             * @description Rises from event to event, with numbers left out; below 2^53
+             */
+            number: number;
+            reason: string | null;
+            /** @enum {string|null} */
+            result: "succeeded" | "refused" | "failed" | "timedOut" | "superseded" | "unknown" | null;
+            /** @enum {string|null} */
+            severity: "emergency" | "alert" | "critical" | "error" | "warning" | "notice" | "info" | "debug" | null;
+            text: string;
         };
         OneTimePassword: {
             name: string;
@@ -3747,6 +3804,7 @@ export type EndpointRequest = components['schemas']['EndpointRequest'];
 export type EndpointView = components['schemas']['EndpointView'];
 export type Endpoints = components['schemas']['Endpoints'];
 export type EnrolRequest = components['schemas']['EnrolRequest'];
+export type EventGap = components['schemas']['EventGap'];
 export type EventView = components['schemas']['EventView'];
 export type Events = components['schemas']['Events'];
 export type FenceCircleView = components['schemas']['FenceCircleView'];
@@ -3769,6 +3827,7 @@ export type FollowList = components['schemas']['FollowList'];
 export type FollowOpenRequest = components['schemas']['FollowOpenRequest'];
 export type FollowPlaceRequest = components['schemas']['FollowPlaceRequest'];
 export type FollowPositionsRequest = components['schemas']['FollowPositionsRequest'];
+export type FollowedEvents = components['schemas']['FollowedEvents'];
 export type GiftRequest = components['schemas']['GiftRequest'];
 export type GiftView = components['schemas']['GiftView'];
 export type Gifts = components['schemas']['Gifts'];
@@ -3807,6 +3866,7 @@ export type MissionRequest = components['schemas']['MissionRequest'];
 export type Missions = components['schemas']['Missions'];
 export type NewInvitation = components['schemas']['NewInvitation'];
 export type NewUser = components['schemas']['NewUser'];
+export type NumberedEvent = components['schemas']['NumberedEvent'];
 export type OneTimePassword = components['schemas']['OneTimePassword'];
 export type OnlyGrantedRequest = components['schemas']['OnlyGrantedRequest'];
 export type OrganisationNameRequest = components['schemas']['OrganisationNameRequest'];

@@ -177,7 +177,7 @@ describe('stream client', () => {
   it('waits longer each time for a connection that never gets to the end of the list', async () => {
     for (const patience of [1, 2, 4, 4].map((times) => times * DEAD_MILLISECONDS)) {
       const slow = last();
-      slow.push({ type: 'hello', user: 'olga', role: 'operator' });
+      slow.push({ type: 'hello', user: 'olga', role: 'operator', version: '1.0.0' });
       await timers.advance(patience - 1);
       expect(slow.closed).toBe(false);
       await timers.advance(1);

@@ -140,7 +140,7 @@ export class FakeServer {
       socket.close();
       return;
     }
-    socket.send(JSON.stringify({ type: 'hello', user: 'olga', role: 'operator' }));
+    socket.send(JSON.stringify({ type: 'hello', user: 'olga', role: 'operator', version: '0.1.0' }));
     socket.send(JSON.stringify({ type: 'drones', drones: [...this.drones.values()] }));
     this.#ready.add(socket);
   }
@@ -189,10 +189,15 @@ export class FakeServer {
     if (what.startsWith('GET /api/v1/commands/')) {
       return found(this.commands.get(what.split('/').at(-1) ?? ''), 'command-unknown');
     }
-    return found(this.#whatIsThere[what]?.(), 'address-unknown');
+    const [path = '', query = ''] = what.split('?');
+    return found(this.#whatIsThere[path]?.(new URLSearchParams(query)), 'address-unknown');
   }
 
-  readonly #whatIsThere: Readonly<Record<string, () => object>> = {
+  /** Answers how events are followed: told the query. */
+  followed: (query: URLSearchParams) => object = () => ({ events: [], gaps: [], next: 'now' });
+
+  readonly #whatIsThere: Readonly<Record<string, (query: URLSearchParams) => object>> = {
+    'GET /api/v1/events': (query) => this.followed(query),
     'GET /api/v1/session': () => ({ name: 'olga', role: 'operator', organisation: null }),
     'GET /api/v1/settings': () => ({ streamPort: (this.#sockets.address() as AddressInfo).port }),
     'GET /api/v1/drones': () => ({ drones: [...this.drones.values()] }),
