@@ -5,6 +5,7 @@ import { Problem } from '../rest/problem.js';
 import { connected, take, until } from '../testing/connected.js';
 import { aDrone } from '../testing/fake-server.js';
 import { quickTimers } from '../testing/quick-timers.js';
+import type { Change } from './watching.js';
 
 const all = connected();
 const upAndRunning = (): Promise<void> => until(() => expect(all.server.listeners).toBe(1));
@@ -69,6 +70,8 @@ describe('states of a drone', () => {
     all.server.drones.set('d1', aDrone({ flight: 'landing', version: 2 }));
     expect((await landed).flight).toBe('landing');
     expect(all.server.connections).toBe(2);
+    // A new connection knows nothing of what was subscribed to on the one before.
+    await until(() => expect(all.server.heard.filter(({ type }) => type === 'subscribe')).toHaveLength(2));
   });
 
   it('end with the drone, with the signal, and with the connection', async () => {
@@ -103,12 +106,32 @@ describe('states of a drone', () => {
   });
 
   it('leave the connection when nobody reads them', async () => {
-    await take(all.drone.states(), 1);
+    const states = all.drone.states()[Symbol.asyncIterator]();
+    await states.next();
+    await upAndRunning();
+    await states.return?.();
     await until(() => expect(all.server.listeners).toBe(0));
-    await take(all.drone.states(), 1);
-    expect(all.server.connections).toBeGreaterThan(0);
+    const again = all.drone.states()[Symbol.asyncIterator]();
+    await again.next();
+    await upAndRunning();
+    expect(all.server.connections).toBe(2);
+    await again.return?.();
   });
 });
+
+/** In a word each. */
+async function readToEnd(changes: AsyncIterator<Change>): Promise<string[]> {
+  const told: string[] = [];
+  while (told.at(-1) !== 'end') {
+    const { value: change } = (await changes.next()) as { value: Change };
+    const { type } = change;
+    told.push(
+      type === 'command' ? change.command.phase : type === 'drone' ? String(change.drone.mode) : type,
+    );
+  }
+  await changes.return?.();
+  return told;
+}
 
 describe('changes', () => {
   it('are all that the stream tells, but for answers and signs of life', async () => {
@@ -123,24 +146,19 @@ describe('changes', () => {
     await changes.return?.();
   });
 
-  it('tell each phase of a command, and of a drone the newest', async () => {
-    const changes = all.dronemap.changes()[Symbol.asyncIterator]();
-    await changes.next();
+  it('tell each phase of a command, and to who reads slowly of a drone the newest', async () => {
+    const [slow, quick] = [all.dronemap.changes(), all.dronemap.changes()].map((one) =>
+      one[Symbol.asyncIterator](),
+    ) as [AsyncIterator<Change>, AsyncIterator<Change>];
+    await Promise.all([slow.next(), quick.next()]);
     all.server.setCommand('c-12345678', { id: 'c-12345678', phase: 'sent' });
-    all.server.setDrone({ version: 2 });
+    all.server.setDrone({ mode: 'RTL' });
     all.server.setCommand('c-12345678', { phase: 'accepted' });
-    all.server.setDrone({ version: 3 });
+    all.server.setDrone({ mode: 'LAND' });
     all.server.say({ type: 'end' });
-    const told: string[] = [];
-    for (let now = await changes.next(); ; now = await changes.next()) {
-      const change = now.value;
-      told.push(change?.type === 'command' ? change.command.phase : String(change?.type));
-      if ((change?.type as string) === 'end') {
-        break;
-      }
-    }
-    expect(told.filter((one) => one !== 'drone')).toEqual(['sent', 'accepted', 'end']);
-    await changes.return?.();
+    // What the quick one has read has come to the slow one as well.
+    await readToEnd(quick);
+    expect(await readToEnd(slow)).toEqual(['sent', 'LAND', 'accepted', 'end']);
   });
 
   it('say that some were missed while the line was broken', async () => {
