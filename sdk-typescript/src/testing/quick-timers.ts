@@ -1,7 +1,7 @@
 import type { Timers } from '../stream/stream-client.js';
 
 /** So many times as quick as the system's clock, so that a test waits for what happens and not for long. */
-const TIMES = 5;
+const TIMES = 3;
 
 export const quickTimers: Timers = {
   now: () => performance.now() * TIMES,
