@@ -6,7 +6,7 @@ A test has two names: PATH::TEST, and what the report calls it. The pattern is a
 stands for any text, nothing else is special, and capital letters count. Of Java, what follows a bracket is
 not looked at: all cases of a parametrised test are one. Prints what to run, tab-separated:
   java    MODULE   CLASS, CLASS#METHOD or CLASS#METHOD+METHOD
-  vitest  FILE     regular expression of names; empty: the whole file
+  vitest  PROJECT  FILE, and a regular expression of names; empty: the whole file
   pytest  PROJECT  node id
 The last line on the error output says how many tests match, or why that is not known (exit code 1).
 """
@@ -167,8 +167,11 @@ def as_expression(names: list[tuple[str, bool]]) -> str:
     )
 
 
-def vitest_lines(root: Path, pattern: Pattern) -> Match:
-    client = root / "web-client"
+TYPESCRIPT_PROJECTS = ("web-client", "sdk-typescript")
+
+
+def vitest_lines(root: Path, project: str, pattern: Pattern) -> Match:
+    client = root / project
     count, lines = 0, []
     for path in sorted(path for folder in ("dev", "src") for path in client.glob(f"{folder}/**/*.test.ts")):
         tests = list(titles(path.read_text(encoding="utf-8")))
@@ -176,13 +179,13 @@ def vitest_lines(root: Path, pattern: Pattern) -> Match:
         chosen = []
         for names in tests:
             words = " > ".join(name for name, _ in names)
-            if pattern.matches(f"web-client/{file}::{words}", f"{file} {words}"):
+            if pattern.matches(f"{project}/{file}::{words}", f"{file} {words}"):
                 chosen.append(names)
         count += len(chosen)
         if chosen and len(chosen) == len(tests):
-            lines.append(f"vitest\t{file}\t")
+            lines.append(f"vitest\t{project}\t{file}\t")
         else:
-            lines += [f"vitest\t{file}\t{as_expression(names)}" for names in chosen]
+            lines += [f"vitest\t{project}\t{file}\t{as_expression(names)}" for names in chosen]
     return Match(count, lines)
 
 
@@ -229,7 +232,7 @@ def matches(root: Path, soak: bool, pattern: Pattern, projects: list[str]) -> li
         python = threads.map(lambda project: pytest_lines(root, project, pattern, soak), projects)
         rest = [java_lines(root, pattern.without_cases(), soak)]
         if not soak:
-            rest.append(vitest_lines(root, pattern))
+            rest.extend(vitest_lines(root, project, pattern) for project in TYPESCRIPT_PROJECTS)
         return [*rest, *python]
 
 

@@ -1,3 +1,4 @@
+import { fileURLToPath } from 'node:url';
 import { svelte } from '@sveltejs/vite-plugin-svelte';
 import { svelteTesting } from '@testing-library/svelte/vite';
 import { defineConfig } from 'vitest/config';
@@ -8,8 +9,12 @@ const port = Number(process.env['DRONEMAP_WEB_PORT'] ?? 5173);
 /** Beside the page: a service worker looks after what lies below it. */
 const FOLLOW_WORKER = 'follow-worker';
 
+/** The client, as its sources are: it is built with the page, and has no packages of its own. */
+const client = fileURLToPath(new URL('../sdk-typescript/src/', import.meta.url));
+
 export default defineConfig({
   plugins: [svelte()],
+  resolve: { alias: { '@dronemap/client': `${client}index.ts` } },
   base: './',
   build: {
     target: 'es2022',
@@ -26,6 +31,7 @@ export default defineConfig({
     host: '127.0.0.1',
     port,
     strictPort: true,
+    fs: { allow: ['.', client] },
     proxy: { '/api': { target: server, changeOrigin: true } },
   },
   test: {

@@ -21,8 +21,11 @@ hash_of() { # PATH…
 }
 
 hash_of_sources() {
-    (cd "$ROOT" && hash_of pom.xml .mvn config dronemap-*/pom.xml dronemap-*/src/main web-client)
+    (cd "$ROOT" && hash_of pom.xml .mvn config dronemap-*/pom.xml dronemap-*/src/main web-client sdk-typescript/src)
 }
+
+# The page is built of its own sources and of the TypeScript client's.
+hash_of_page() { hash_of web-client sdk-typescript/src; }
 
 stamp_of() { cat "$APP/$1.stamp" 2>/dev/null || true; }
 
@@ -40,7 +43,7 @@ build_if_changed() {
 build_web_client() {
     local stamp
     install_web_packages
-    stamp=$(hash_of web-client)
+    stamp=$(hash_of_page)
     if [[ $(stamp_of web) == "$stamp" && -f $ROOT/web-client/dist/index.html ]]; then return; fi
     WORK="building the web client"
     step "Building the web client"

@@ -79,12 +79,19 @@ round_of_java() { # test|soak
 
 # Files that match as a whole, then single tests of others, which are chosen by their names.
 round_of_vitest() {
-    local files names
-    mapfile -t files < <(planned vitest | awk -F '\t' '$2 == "" { print $1 }' | sort -u)
-    if ((${#files[@]} > 0)); then VITEST_PART=files run_vitest "$WORKERS" "${files[@]}"; fi
-    mapfile -t files < <(planned vitest | awk -F '\t' '$2 != "" { print $1 }' | sort -u)
-    names=$(planned vitest | cut -f 2 | grep . | sort -u | paste -sd '|' || true)
-    if ((${#files[@]} > 0)); then REPORT_KIND=named VITEST_PART=names run_vitest "$WORKERS" "${files[@]}" --testNamePattern "^($names)\$"; fi
+    local project
+    while IFS= read -r project; do round_of_project "$project"; done < <(planned vitest | cut -f 1 | sort -u)
+}
+
+round_of_project() { # PROJECT
+    local project=$1 files names
+    mapfile -t files < <(planned vitest | awk -F '\t' -v wanted="$project" '$1 == wanted && $3 == "" { print $2 }' | sort -u)
+    if ((${#files[@]} > 0)); then VITEST_PART=files run_vitest "$project" "$WORKERS" "${files[@]}"; fi
+    mapfile -t files < <(planned vitest | awk -F '\t' -v wanted="$project" '$1 == wanted && $3 != "" { print $2 }' | sort -u)
+    names=$(planned vitest | awk -F '\t' -v wanted="$project" '$1 == wanted && $3 != "" { print $3 }' | sort -u | paste -sd '|')
+    if ((${#files[@]} > 0)); then
+        REPORT_KIND=named VITEST_PART=names run_vitest "$project" "$WORKERS" "${files[@]}" --testNamePattern "^($names)\$"
+    fi
 }
 
 round_of_pytest() { # test|soak

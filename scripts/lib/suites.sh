@@ -172,18 +172,35 @@ suite_web_client() {
 
 suite_typescript() {
     suite_typescript_checks
-    run_vitest "$(workers_beside)"
+    run_vitest web-client "$(workers_beside)"
+    run_vitest sdk-typescript "$(workers_beside)"
 }
 
 suite_typescript_checks() {
     check typescript lint env -C "$ROOT/web-client" CI=true npm run lint
     check typescript types env -C "$ROOT/web-client" CI=true npm run check
+    check typescript "lint sdk-typescript" in_typescript sdk-typescript npm run lint
+    check typescript "types sdk-typescript" in_typescript sdk-typescript npm run check
+    check typescript "build sdk-typescript" in_typescript sdk-typescript npm run build
 }
 
-run_vitest() { # WORKERS ARGUMENT…
-    local workers=$1 report=$TEST_LOGS/vitest-${VITEST_PART:-all}.xml
+# The client's packages are for its checks and tests alone: what builds the page needs none of them.
+in_typescript() { # PROJECT COMMAND…
+    local folder=$ROOT/$1 lock
+    if [[ $1 == sdk-typescript ]]; then
+        lock=$(hash_of sdk-typescript/package-lock.json)
+        if [[ $(cat "$folder/node_modules/.dronemap-lock" 2>/dev/null) != "$lock" ]]; then
+            env -C "$folder" CI=true npm ci --no-audit --no-fund && echo "$lock" >"$folder/node_modules/.dronemap-lock" || return 1
+        fi
+    fi
     shift
-    counted typescript "units${VITEST_PART:+ ($VITEST_PART)}" "$report" env -C "$ROOT/web-client" CI=true npm test -- \
+    env -C "$folder" CI=true "$@"
+}
+
+run_vitest() { # PROJECT WORKERS ARGUMENT…
+    local project=$1 workers=$2 report=$TEST_LOGS/vitest-$1-${VITEST_PART:-all}.xml
+    shift 2
+    counted typescript "units $project${VITEST_PART:+ ($VITEST_PART)}" "$report" in_typescript "$project" npm test -- \
         --maxWorkers="$workers" --reporter=default --reporter=junit --outputFile.junit="$report" "$@"
 }
 

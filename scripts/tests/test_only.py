@@ -91,6 +91,7 @@ def written(folder: Path) -> Path:
         "dronemap-b/src/test/java/org/b/LongTest.java": LONG,
         "web-client/src/runs/run.test.ts": WEB,
         "web-client/dev/play.test.ts": "it('plays', () => undefined);",
+        "sdk-typescript/src/hear.test.ts": "it('hears', () => undefined);",
         "snake/tests/test_air.py": PYTHON,
         "snake/pyproject.toml": '[tool.pytest.ini_options]\nmarkers = ["soak"]\n',
     }
@@ -163,7 +164,10 @@ MAP, COUNTS = r"a run on the map shows \(all\) it's places", "a run counts .* as
 
 
 def test_typescript_is_found_beside_the_page(root: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert found(root, "plays", "test", capsys) == ["vitest dev/play.test.ts "]
+    assert found(root, "plays", "test", capsys) == ["vitest web-client dev/play.test.ts "]
+    assert found(root, "sdk-typescript/src/hear.test.ts::", "test", capsys) == [
+        "vitest sdk-typescript src/hear.test.ts "
+    ]
 
 
 @pytest.mark.parametrize(
@@ -183,7 +187,7 @@ def test_typescript_is_found_by_file_and_titles(
     pattern: str, expected: list[str], root: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert found(root, pattern, "test", capsys) == [
-        f"vitest src/runs/run.test.ts {name}" for name in expected
+        f"vitest web-client src/runs/run.test.ts {name}" for name in expected
     ]
 
 

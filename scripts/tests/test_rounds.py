@@ -120,15 +120,17 @@ def test_whole_files_run_apart_from_single_tests(shell: SuiteShell) -> None:
     npm.chmod(0o755)
     (shell.folder / "web-client").mkdir()
     lines = (
-        "vitest\tsrc/a.test.ts\t",
-        "vitest\tsrc/b.test.ts\tgroup one",
-        "vitest\tsrc/b.test.ts\tgroup two",
+        "vitest\tweb-client\tsrc/a.test.ts\t",
+        "vitest\tweb-client\tsrc/b.test.ts\tgroup one",
+        "vitest\tweb-client\tsrc/b.test.ts\tgroup two",
     )
     found = shell.results(plan(shell, *lines), "round_of_vitest")
     assert found == ["typescript junit", "typescript named"]
     asked = (shell.folder / "asked").read_text().splitlines()
-    assert asked[0].endswith("vitest-files.xml src/a.test.ts")
-    assert asked[1].endswith("vitest-names.xml src/b.test.ts --testNamePattern ^(group one|group two)$")
+    assert asked[0].endswith("vitest-web-client-files.xml src/a.test.ts")
+    assert asked[1].endswith(
+        "vitest-web-client-names.xml src/b.test.ts --testNamePattern ^(group one|group two)$"
+    )
 
 
 def test_only_server_script_tests_need_jars(shell: SuiteShell) -> None:

@@ -133,3 +133,19 @@ def test_two_halves_of_a_project_leave_two_reports(shell: SuiteShell) -> None:
     reports = [what for _, kind, what, _ in lines if kind == "junit"]
     logs = {log for *_, log in lines}
     assert len(reports) == len(set(reports)) == len(logs) == 2
+
+
+@pytest.mark.parametrize(("installs", "expected"), [(0, "passed"), (1, "failed")])
+def test_client_packages_are_installed_once_before_its_checks(
+    shell: SuiteShell, installs: int, expected: str
+) -> None:
+    packages = shell.folder / "sdk-typescript" / "node_modules"
+    packages.mkdir(parents=True)
+    (packages.parent / "package-lock.json").touch()
+    npm = shell.folder / "bin" / "npm"
+    npm.write_text(f'#!/bin/sh\necho "$1" >>{shell.folder}/asked\n[ "$1" != ci ] || exit {installs}\n')
+    npm.chmod(0o755)
+    check = "check typescript x in_typescript sdk-typescript npm run lint"
+    assert shell.results(check, check) == [f"typescript {expected}"] * 2
+    asked = (shell.folder / "asked").read_text().split()
+    assert asked == (["ci", "run", "run"] if installs == 0 else ["ci", "ci"])

@@ -165,7 +165,7 @@ def mark_web_client_built(checkout: Checkout) -> None:
         "mkdir -p $APP $ROOT/web-client/dist $ROOT/web-client/node_modules",
         "hash_of web-client/package-lock.json >$ROOT/web-client/node_modules/.dronemap-lock",
         "touch $ROOT/web-client/dist/index.html",
-        "hash_of web-client >$APP/web.stamp",
+        "hash_of_page >$APP/web.stamp",
     )
 
 

@@ -7,7 +7,7 @@ import type {
   PasswordRequest,
   RegistrationRequest,
   UserChange,
-} from '../src/api/contract';
+} from '@dronemap/client';
 import { WithStatus, type Handler } from './mock-rest';
 import { needed, Refusal } from './refusal';
 

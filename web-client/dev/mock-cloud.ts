@@ -1,7 +1,7 @@
 /** The state of the mock server: what drones, commands, accounts, keys, missions and follows it plays, and how. */
 import { randomUUID } from 'node:crypto';
-import type { MissionRequest, StreamTicket } from '../src/api/contract';
-import type { StreamRequest } from '../src/api/stream-contract';
+import type { MissionRequest, StreamTicket } from '@dronemap/client';
+import type { StreamRequest } from '@dronemap/client';
 import type { Command, CommandRequest, SavedMission, Settings } from '../src/api/types';
 import { MockAccounts } from './mock-accounts';
 import { MockDrone } from './mock-drone';

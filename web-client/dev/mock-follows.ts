@@ -8,7 +8,7 @@ import type {
   PlaceChange,
   Positions,
 } from '../src/api/follows';
-import type { FollowReceipt } from '../src/api/contract';
+import type { FollowReceipt } from '@dronemap/client';
 import { placeOf } from '../src/fleet/place';
 import { distanceMeters } from '../src/geo/distance';
 import type { MockDrone } from './mock-drone';

@@ -1,6 +1,6 @@
 /** Plays the stream as its description has it: what the scenario does not answer is answered with an example. */
 import type { WebSocket } from 'ws';
-import type { StreamMessage, StreamRequest } from '../src/api/stream-contract';
+import type { StreamMessage, StreamRequest } from '@dronemap/client';
 import { named, type StreamDescription } from './description';
 import { refusalOf } from './fault';
 import { Refusal } from './refusal';

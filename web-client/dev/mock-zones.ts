@@ -1,7 +1,7 @@
 // The zones of the mock server. They bind nobody there.
 import { randomUUID } from 'node:crypto';
 import type { Zone } from '../src/api/zones';
-import type { ZoneCollection, ZoneFeature } from '../src/api/contract';
+import type { ZoneCollection, ZoneFeature } from '@dronemap/client';
 import type { Handler } from './mock-rest';
 import { needed, Refusal } from './refusal';
 

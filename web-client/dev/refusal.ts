@@ -1,4 +1,7 @@
-import type { Problem } from '../src/api/contract';
+import type { StreamError } from '@dronemap/client';
+
+/** As REST and the stream tell it. */
+type Problem = StreamError['problem'];
 
 /** The classes of problems that the mock server has, by status: the end of their type, and their title. */
 const CLASSES: Readonly<Record<number, readonly [string, string]>> = {

@@ -1,3 +1,4 @@
+import type { RestOperations } from '@dronemap/client';
 import type { Outlook, CloudLossState } from './api/control';
 import type { Follow, FollowNow, PhoneReach } from './api/follows';
 import type { MissionRun, RunDrone, RunWaypoint } from './api/runs';
@@ -234,4 +235,15 @@ export function aZone(change: Partial<Zone['properties']> = {}): Zone {
       ...change,
     },
   };
+}
+
+/** Operations that are all answered by one function, told the id of the operation and what it is given. */
+export function operationsBy(
+  answer: (operation: string, ...given: unknown[]) => Promise<unknown>,
+): RestOperations {
+  const call =
+    (_: object, operation: string) =>
+    (...given: unknown[]): Promise<unknown> =>
+      answer(operation, ...given);
+  return new Proxy({}, { get: call as never }) as RestOperations;
 }

@@ -1,7 +1,7 @@
-import type { KeyView as AccessKey, KeyRequest as AccessKeyRequest, AccessKeys } from './contract';
+import type { KeyView as AccessKey, KeyRequest as AccessKeyRequest, RestOperations } from '@dronemap/client';
 
 export type { AccessKey, AccessKeyRequest };
-export type { KeyArea } from './contract';
+export type { KeyArea } from '@dronemap/client';
 
 /** A new or renewed key: the key itself is shown this once and never again. */
 export type NewAccessKey = AccessKey & { key: string };
@@ -11,29 +11,27 @@ export type KeyOperation = AccessKey['operations'][number];
 /** Metres; what is null is no bound. */
 export type KeyBounds = Pick<AccessKey, 'area' | 'floor' | 'ceiling' | 'altitudeReference'>;
 
-type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
-
 /** The calls about one's own access keys. */
 export class AccessKeyCalls {
-  readonly #call: Call;
+  readonly #rest: RestOperations;
 
-  constructor(call: Call) {
-    this.#call = call;
+  constructor(rest: RestOperations) {
+    this.#rest = rest;
   }
 
   async all(): Promise<AccessKey[]> {
-    return (await this.#call<AccessKeys>('GET', '/access-keys')).accessKeys;
+    return (await this.#rest.listAccessKeys()).accessKeys;
   }
 
   make(request: AccessKeyRequest): Promise<NewAccessKey> {
-    return this.#call('POST', '/access-keys', request);
+    return this.#rest.makeAccessKey(request) as Promise<NewAccessKey>;
   }
 
   renew(id: string): Promise<NewAccessKey> {
-    return this.#call('POST', `/access-keys/${encodeURIComponent(id)}/renew`);
+    return this.#rest.renewAccessKey({ id }) as Promise<NewAccessKey>;
   }
 
   revoke(id: string): Promise<void> {
-    return this.#call('DELETE', `/access-keys/${encodeURIComponent(id)}`);
+    return this.#rest.deleteAccessKey({ id });
   }
 }

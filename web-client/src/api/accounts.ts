@@ -1,17 +1,15 @@
 import type { AccessKey } from './access-keys';
 import type {
-  AccessKeys,
   InvitationView as Invitation,
-  Invitations,
   NewUser,
   OneTimePassword,
   RegistrationAnswer as Registered,
   SessionView as Session,
   UserView as User,
   UserChange,
-  Users,
   RegistrationPolicy as RegistrationOptions,
-} from './contract';
+  RestOperations,
+} from '@dronemap/client';
 
 export type { Invitation, NewUser, OneTimePassword, Registered, Session, User, RegistrationOptions };
 
@@ -45,70 +43,65 @@ export function mayAct(role: Role | undefined, needed: Role): boolean {
   return role !== undefined && ROLES.indexOf(role) >= ROLES.indexOf(needed);
 }
 
-/** The address to sign in with the provider. */
-export const PROVIDER_ADDRESS = '/api/v1/session/oidc';
-
-type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
-
 /** The calls about users, invitations and registration. */
 export class AccountCalls {
-  readonly #call: Call;
+  readonly #rest: RestOperations;
 
-  constructor(call: Call) {
-    this.#call = call;
+  constructor(rest: RestOperations) {
+    this.#rest = rest;
   }
 
   async users(): Promise<User[]> {
-    return (await this.#call<Users>('GET', '/users')).users;
+    return (await this.#rest.listUsers()).users;
   }
 
   add(user: NewUser): Promise<User> {
-    return this.#call('POST', '/users', user);
+    return this.#rest.addUser(user);
   }
 
   change(name: string, change: UserChange): Promise<User> {
-    return this.#call('PATCH', `/users/${encodeURIComponent(name)}`, change);
+    return this.#rest.changeUser({ name }, change);
   }
 
   resetPassword(name: string): Promise<OneTimePassword> {
-    return this.#call('POST', `/users/${encodeURIComponent(name)}/password`);
+    return this.#rest.resetPassword({ name });
   }
 
   signOut(name: string): Promise<void> {
-    return this.#call('POST', `/users/${encodeURIComponent(name)}/sign-out`);
+    return this.#rest.signOutUser({ name });
   }
 
   async keysOf(name: string): Promise<AccessKey[]> {
-    const path = `/users/${encodeURIComponent(name)}/access-keys`;
-    return (await this.#call<AccessKeys>('GET', path)).accessKeys;
+    return (await this.#rest.listUserAccessKeys({ name })).accessKeys;
   }
 
   revokeKeyOf(name: string, id: string): Promise<void> {
-    return this.#call('DELETE', `/users/${encodeURIComponent(name)}/access-keys/${encodeURIComponent(id)}`);
+    return this.#rest.deleteUserAccessKey({ name, id });
   }
 
   remove(name: string): Promise<void> {
-    return this.#call('DELETE', `/users/${encodeURIComponent(name)}`);
+    return this.#rest.deleteUser({ name });
   }
 
   async invitations(): Promise<Invitation[]> {
-    return (await this.#call<Invitations>('GET', '/invitations')).invitations;
+    return (await this.#rest.listInvitations()).invitations;
   }
 
   /** Into an organisation other than one's own only for those who run the server. */
   invite(label: string, role: Role, organisation?: string): Promise<NewInvitation> {
-    return this.#call('POST', '/invitations', { label, role, ...(organisation ? { organisation } : {}) });
+    const invitation = { label, role, ...(organisation ? { organisation } : {}) };
+    return this.#rest.addInvitation(invitation) as Promise<NewInvitation>;
   }
 
   withdraw(id: string): Promise<void> {
-    return this.#call('DELETE', `/invitations/${encodeURIComponent(id)}`);
+    return this.#rest.withdrawInvitation({ id });
   }
 
   registrationOptions(): Promise<RegistrationOptions> {
-    return this.#call('GET', '/registrations');
+    return this.#rest.getRegistrationPolicy();
   }
 
   register(name: string, password: string, invitation: string | null): Promise<Registered> {
-    return this.#call('POST', '/registrations', { name, password, invitation });
+    return this.#rest.register({ name, password, invitation });
   }
 }

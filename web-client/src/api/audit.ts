@@ -1,4 +1,11 @@
-import type { AuditPage, AuditView as AuditRecord, AuditVerdictView as AuditVerdict } from './contract';
+import type {
+  AuditPage,
+  AuditView as AuditRecord,
+  AuditVerdictView as AuditVerdict,
+  ReceiptView,
+  RestClient,
+} from '@dronemap/client';
+import { timeOf, wordsOf } from './search';
 
 export type { AuditPage, AuditRecord, AuditVerdict };
 
@@ -15,56 +22,41 @@ export interface AuditSearch {
   until: string;
 }
 
-type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
-
 /** The calls about audit records. */
 export class AuditCalls {
-  readonly #call: Call;
-  readonly #base: string;
+  readonly #rest: RestClient;
 
-  constructor(call: Call, base: string) {
-    this.#call = call;
-    this.#base = base;
+  constructor(rest: RestClient) {
+    this.#rest = rest;
   }
 
   /** Newest first; `before`: only those before that number. */
   page(search: AuditSearch, before: number | null): Promise<AuditPage> {
-    const wanted = parameters(search);
-    if (before !== null) {
-      wanted.set('before', String(before));
-    }
-    return this.#call('GET', `/audit?${wanted}`);
+    return this.#rest.operations.searchAudit({ ...parameters(search), before: before ?? undefined });
   }
 
   /** The address to download all matching records from. */
   fileAddress(search: AuditSearch, form: 'csv' | 'jsonl'): string {
-    const wanted = parameters(search);
-    wanted.set('form', form);
-    return `${this.#base}/audit/file?${wanted}`;
+    return this.#rest.address('exportAudit', { ...parameters(search), form });
   }
 
   receiptAddress(): string {
-    return `${this.#base}/audit/receipt`;
+    return this.#rest.address('getAuditReceipt', {});
   }
 
-  /** `receipt`: the text of a file that was downloaded earlier. */
+  /** `receipt`: the content of a file that was downloaded earlier; the server says what is wrong with another one. */
   verify(receipt: unknown): Promise<AuditVerdict> {
-    return this.#call('POST', '/audit/verification', receipt);
+    return this.#rest.operations.verifyAudit(receipt as ReceiptView | undefined);
   }
 }
 
-function parameters(search: AuditSearch): URLSearchParams {
-  const wanted = new URLSearchParams();
-  for (const name of ['user', 'drone', 'operation', 'outcome'] as const) {
-    if (search[name].trim() !== '') {
-      wanted.set(name, search[name].trim());
-    }
-  }
-  for (const name of ['from', 'until'] as const) {
-    const time = new Date(search[name]);
-    if (!Number.isNaN(time.getTime())) {
-      wanted.set(name, time.toISOString());
-    }
-  }
-  return wanted;
+function parameters(search: AuditSearch): Record<keyof AuditSearch, string | null> {
+  return {
+    user: wordsOf(search.user),
+    drone: wordsOf(search.drone),
+    operation: wordsOf(search.operation),
+    outcome: wordsOf(search.outcome),
+    from: timeOf(search.from),
+    until: timeOf(search.until),
+  };
 }

@@ -1,55 +1,49 @@
-import type { ControlView as Control } from './contract';
+import type { ControlView as Control, RestOperations } from '@dronemap/client';
 
 export type { Control };
 export type {
   ControlAskedView as ControlRequest,
   OutlookView as Outlook,
   DroneCloudLossView as CloudLossState,
-} from './contract';
-
-type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
+} from '@dronemap/client';
 
 /** The calls about control of a drone; each returns the new state of the lease. */
 export class ControlCalls {
-  readonly #call: Call;
+  readonly #rest: RestOperations;
 
-  constructor(call: Call) {
-    this.#call = call;
+  constructor(rest: RestOperations) {
+    this.#rest = rest;
   }
 
   take(drone: string): Promise<Control> {
-    return this.#post(drone, 'take', {});
+    return this.#rest.takeControl({ id: drone });
   }
 
   request(drone: string, reason: string): Promise<Control> {
-    return this.#post(drone, 'request', { reason });
+    return this.#rest.requestControl({ id: drone }, { reason });
   }
 
   grant(drone: string, user: string): Promise<Control> {
-    return this.#post(drone, 'grant', { user });
+    return this.#rest.grantControl({ id: drone }, { user });
   }
 
   refuse(drone: string, user: string): Promise<Control> {
-    return this.#post(drone, 'refuse', { user });
+    return this.#rest.refuseControl({ id: drone }, { user });
   }
 
   handOver(drone: string, user: string): Promise<Control> {
-    return this.#post(drone, 'hand-over', { user });
+    return this.#rest.handOverControl({ id: drone }, { user });
   }
 
   takeOver(drone: string, reason: string): Promise<Control> {
-    return this.#post(drone, 'take-over', { reason });
+    return this.#rest.takeOverControl({ id: drone }, { reason });
   }
 
   heartbeat(drone: string, epoch: number): Promise<Control> {
-    return this.#post(drone, 'heartbeat', { epoch });
+    return this.#rest.keepControl({ id: drone }, { epoch });
   }
 
   release(drone: string): Promise<Control> {
-    return this.#call('DELETE', `/drones/${encodeURIComponent(drone)}/control`);
-  }
-
-  #post(drone: string, action: string, body: unknown): Promise<Control> {
-    return this.#call('POST', `/drones/${encodeURIComponent(drone)}/control/${action}`, body);
+    return this.#rest.releaseControl({ id: drone });
   }
 }

@@ -3,4 +3,4 @@ export type {
   EndpointView as Endpoint,
   RobotKeyRequest as NewRobotKey,
   RobotKeyView as RobotKey,
-} from './contract';
+} from '@dronemap/client';

@@ -1,15 +1,15 @@
 import type {
-  Events,
   FlightView as Flight,
   EventView as FlightEvent,
   Flights as FlightPage,
-  Points,
   SeriesView as Series,
   PointView as TrackPoint,
-} from './contract';
+  RestClient,
+} from '@dronemap/client';
+import { timeOf, wordsOf } from './search';
 
 export type { Flight, FlightEvent, FlightPage, Series, TrackPoint };
-export type { FieldSeries as SeriesField } from './contract';
+export type { FieldSeries as SeriesField } from '@dronemap/client';
 
 /** Empty: whatever it is. */
 export interface FlightSearch {
@@ -23,29 +23,21 @@ export interface FlightSearch {
 
 export type TrackForm = 'csv' | 'geojson' | 'kml' | 'gpx' | 'parquet' | 'tlog';
 
-type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
-
 /** The calls about flights and what was measured in them. */
 export class FlightCalls {
-  readonly #call: Call;
-  readonly #base: string;
+  readonly #rest: RestClient;
 
-  constructor(call: Call, base: string) {
-    this.#call = call;
-    this.#base = base;
+  constructor(rest: RestClient) {
+    this.#rest = rest;
   }
 
   /** Newest first; `before`: the id of the last flight of the page before. */
   page(search: FlightSearch, before: string | null): Promise<FlightPage> {
-    const wanted = parameters(search);
-    if (before !== null) {
-      wanted.set('before', before);
-    }
-    return this.#call('GET', `/flights?${wanted}`);
+    return this.#rest.operations.listFlights({ ...parameters(search), before: before ?? undefined });
   }
 
   annotate(id: string, notes: string): Promise<Flight> {
-    return this.#call('PATCH', `/flights/${encodeURIComponent(id)}`, { notes });
+    return this.#rest.operations.annotateFlight({ id }, { notes });
   }
 
   /** `span`: a part of the flight, null: all of it. */
@@ -55,8 +47,8 @@ export class FlightCalls {
     slots: number,
     span: { from: string; until: string } | null,
   ): Promise<Series> {
-    const wanted = new URLSearchParams({ fields: fields.join(','), slots: String(slots), ...span });
-    return this.#call('GET', `/flights/${encodeURIComponent(id)}/telemetry?${wanted}`);
+    const wanted = { fields: fields.join(','), slots: String(slots), ...span };
+    return this.#rest.operations.getFlightTelemetry({ id, ...wanted });
   }
 
   /** Of the last hour, unless `span` says otherwise. */
@@ -66,42 +58,34 @@ export class FlightCalls {
     slots: number,
     span: { from: string; until: string } | null,
   ): Promise<Series> {
-    const wanted = new URLSearchParams({ fields: fields.join(','), slots: String(slots), ...span });
-    return this.#call('GET', `/drones/${encodeURIComponent(drone)}/telemetry?${wanted}`);
+    const wanted = { fields: fields.join(','), slots: String(slots), ...span };
+    return this.#rest.operations.getDroneTelemetry({ id: drone, ...wanted });
   }
 
   async points(id: string): Promise<TrackPoint[]> {
-    const path = `/flights/${encodeURIComponent(id)}/telemetry/points?most=20000`;
-    return (await this.#call<Points>('GET', path)).points;
+    return (await this.#rest.operations.listFlightTelemetryPoints({ id, most: '20000' })).points;
   }
 
   async events(id: string): Promise<FlightEvent[]> {
-    const path = `/flights/${encodeURIComponent(id)}/events`;
-    return (await this.#call<Events>('GET', path)).events;
+    return (await this.#rest.operations.listFlightEvents({ id })).events;
   }
 
   /** The address to download the track from. */
   fileAddress(id: string, form: TrackForm): string {
-    return `${this.#base}/flights/${encodeURIComponent(id)}/telemetry/file?form=${form}`;
+    return this.#rest.address('exportFlightTelemetry', { id, form });
   }
 
   logbookAddress(search: FlightSearch): string {
-    return `${this.#base}/flights/logbook?${parameters(search)}`;
+    return this.#rest.address('exportLogbook', parameters(search));
   }
 }
 
-function parameters(search: FlightSearch): URLSearchParams {
-  const wanted = new URLSearchParams();
-  for (const name of ['drone', 'user', 'words'] as const) {
-    if (search[name].trim() !== '') {
-      wanted.set(name, search[name].trim());
-    }
-  }
-  for (const name of ['from', 'until'] as const) {
-    const time = new Date(search[name]);
-    if (!Number.isNaN(time.getTime())) {
-      wanted.set(name, time.toISOString());
-    }
-  }
-  return wanted;
+function parameters(search: FlightSearch): Record<keyof FlightSearch, string | null> {
+  return {
+    drone: wordsOf(search.drone),
+    user: wordsOf(search.user),
+    words: wordsOf(search.words),
+    from: timeOf(search.from),
+    until: timeOf(search.until),
+  };
 }

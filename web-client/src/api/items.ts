@@ -1,8 +1,8 @@
 // The items that missions are made of, as the page has them: a waypoint always says what its altitude is measured from.
 
-import type { MissionItemView, WaypointItem as DescribedWaypoint } from './contract';
+import type { MissionItemView, WaypointItem as DescribedWaypoint } from '@dronemap/client';
 
-export type { LookAtItem } from './contract';
+export type { LookAtItem } from '@dronemap/client';
 
 export type AltitudeReference = NonNullable<DescribedWaypoint['altitudeReference']>;
 

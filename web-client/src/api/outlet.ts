@@ -1,50 +1,48 @@
 import type {
   OutletView as OutletStatus,
   OwnOutletView as OwnOutlet,
-  PassphraseView,
   OutletPortView as PersonalPort,
-} from './contract';
+  RestOperations,
+} from '@dronemap/client';
 
 export type { OutletStatus, OwnOutlet, PersonalPort };
-export type { OutletClientView as OutletClient, OutletRefusedView as OutletRefused } from './contract';
-
-type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
+export type { OutletClientView as OutletClient, OutletRefusedView as OutletRefused } from '@dronemap/client';
 
 /** The calls around attaching ground stations of other makers. */
 export class OutletCalls {
-  readonly #call: Call;
+  readonly #rest: RestOperations;
 
-  constructor(call: Call) {
-    this.#call = call;
+  constructor(rest: RestOperations) {
+    this.#rest = rest;
   }
 
   own(): Promise<OwnOutlet> {
-    return this.#call('GET', '/outlet');
+    return this.#rest.getOutlet();
   }
 
   /** Creates a passphrase; it is returned this once. */
   async newPassphrase(): Promise<string> {
-    return (await this.#call<PassphraseView>('PUT', '/outlet/passphrase', {})).passphrase;
+    return (await this.#rest.setOutletPassphrase({})).passphrase;
   }
 
   clearPassphrase(): Promise<void> {
-    return this.#call('DELETE', '/outlet/passphrase');
+    return this.#rest.clearOutletPassphrase();
   }
 
   /** For one hour up to 24. */
   openPort(address: string, hours: number): Promise<PersonalPort> {
-    return this.#call('POST', '/outlet/ports', { address, hours });
+    return this.#rest.openOutletPort({ address, hours });
   }
 
   closePort(id: string): Promise<void> {
-    return this.#call('DELETE', `/outlet/ports/${encodeURIComponent(id)}`);
+    return this.#rest.closeOutletPort({ id });
   }
 
   all(): Promise<OutletStatus> {
-    return this.#call('GET', '/outlet/clients');
+    return this.#rest.listOutletClients();
   }
 
   disconnect(id: string): Promise<void> {
-    return this.#call('DELETE', `/outlet/clients/${encodeURIComponent(id)}`);
+    return this.#rest.disconnectOutletClient({ id });
   }
 }

@@ -1,10 +1,10 @@
-import type { ParameterView as Parameter } from './contract';
+import type { ParameterView as Parameter } from '@dronemap/client';
 
 export type { Parameter };
 export type {
   ParametersDifferenceView as ParameterDifference,
   ParametersFileView as ParameterFile,
   ParametersView as ParameterPage,
-} from './contract';
+} from '@dronemap/client';
 
 export type ParameterType = Parameter['type'];

@@ -6,7 +6,8 @@ import type {
   PlanObjectiveRequest as PlanObjective,
   PlanRequest,
   TourRequest,
-} from './contract';
+  RestOperations,
+} from '@dronemap/client';
 
 export type { FleetPlan, OrderedTour, PlanFlight, PlanObjective, PlanRequest, TourRequest };
 export type {
@@ -17,7 +18,7 @@ export type {
   PlanTaskRequest as PlanTask,
   PlanTourView as PlanTour,
   PlanUnservedView as PlanUnserved,
-} from './contract';
+} from '@dronemap/client';
 
 export type PlanState = FleetPlan['state'];
 
@@ -30,42 +31,36 @@ export type PlanWaypoint = PlanWaypointRequest & {
 
 export type PlanAim = PlanObjective['kind'];
 
-type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
-
 /** The calls around plans for several drones. */
 export class PlanCalls {
-  readonly #call: Call;
+  readonly #rest: RestOperations;
 
-  constructor(call: Call) {
-    this.#call = call;
+  constructor(rest: RestOperations) {
+    this.#rest = rest;
   }
 
   ask(request: PlanRequest): Promise<FleetPlan> {
-    return this.#call('POST', '/plans', request);
+    return this.#rest.makePlan(request);
   }
 
   accept(id: string, start: boolean): Promise<FleetPlan> {
-    return this.#call('POST', `${one(id)}/accept`, { start });
+    return this.#rest.acceptPlan({ id }, { start });
   }
 
   one(id: string): Promise<FleetPlan> {
-    return this.#call('GET', one(id));
+    return this.#rest.getPlan({ id });
   }
 
   /** Nobody else of it is started. */
   stop(id: string): Promise<FleetPlan> {
-    return this.#call('POST', `${one(id)}/stop`);
+    return this.#rest.stopPlan({ id });
   }
 
   order(request: TourRequest): Promise<OrderedTour> {
-    return this.#call('POST', '/tours', request);
+    return this.#rest.orderTour(request);
   }
 
   remove(id: string): Promise<void> {
-    return this.#call('DELETE', one(id));
+    return this.#rest.removePlan({ id });
   }
-}
-
-function one(id: string): string {
-  return `/plans/${encodeURIComponent(id)}`;
 }

@@ -1,1 +1,1 @@
-export type { RecordingView as Recording, RecordingPage } from './contract';
+export type { RecordingView as Recording, RecordingPage } from '@dronemap/client';

@@ -5,7 +5,7 @@ import { RestClient } from './rest';
 function answering(status: number, body: unknown): [RestClient, ReturnType<typeof vi.fn>] {
   const text = body === null ? null : typeof body === 'string' ? body : JSON.stringify(body);
   const fetcher = vi.fn(async () => new Response(text, { status }));
-  return [new RestClient('/api/v1', fetcher), fetcher];
+  return [new RestClient(fetcher), fetcher];
 }
 
 describe('REST client', () => {
@@ -58,7 +58,7 @@ describe('REST client', () => {
   });
 
   it('says that the cloud did not answer when the network fails', async () => {
-    const client = new RestClient('/api/v1', () => Promise.reject(new TypeError('Failed to fetch')));
+    const client = new RestClient(() => Promise.reject(new TypeError('Failed to fetch')));
     await expect(client.session()).rejects.toMatchObject({ status: 0 });
   });
 

@@ -7,7 +7,8 @@ import type {
   RunTaskView as RunTask,
   RunView,
   RunWaypointView as RunWaypoint,
-} from './contract';
+  RestOperations,
+} from '@dronemap/client';
 
 export type { NewRunWaypoint, Replay, RunDrone, RunStart, RunTask, RunWaypoint };
 export type {
@@ -15,7 +16,7 @@ export type {
   RunMovedView as Moved,
   RunExplanationView as RunExplanation,
   RunProposalView as RunProposal,
-} from './contract';
+} from '@dronemap/client';
 
 /** A plan that the cloud has drones fly, as it stands. */
 export type MissionRun = Omit<RunView, 'barriers'> & { barriers: Barrier[] };
@@ -35,74 +36,68 @@ export type RunWaypointState = RunWaypoint['state'];
 
 export type TaskType = RunTask['type'];
 
-type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
-
 /** The calls around mission runs; each returns the new state of the run. */
 export class RunCalls {
-  readonly #call: Call;
+  readonly #rest: RestOperations;
 
-  constructor(call: Call) {
-    this.#call = call;
+  constructor(rest: RestOperations) {
+    this.#rest = rest;
   }
 
   async all(): Promise<MissionRun[]> {
-    return (await this.#call<{ runs: MissionRun[] }>('GET', '/runs')).runs;
+    return (await this.#rest.listRuns()).runs as MissionRun[];
   }
 
   one(id: string): Promise<MissionRun> {
-    return this.#call('GET', path(id));
+    return this.#rest.getRun({ id }) as Promise<MissionRun>;
   }
 
   start(request: RunStart): Promise<MissionRun> {
-    return this.#call('POST', '/runs', request);
+    return this.#rest.startRun(request) as Promise<MissionRun>;
   }
 
   add(id: string, waypoints: readonly NewRunWaypoint[]): Promise<MissionRun> {
-    return this.#call('POST', path(id, 'waypoints'), { waypoints });
+    return this.#rest.addRunWaypoints({ id }, { waypoints: [...waypoints] }) as Promise<MissionRun>;
   }
 
   /** It keeps its height. */
   move(id: string, waypoint: string, latitude: number, longitude: number): Promise<MissionRun> {
-    return this.#call('PATCH', path(id, 'waypoints', waypoint), { latitude, longitude });
+    return this.#rest.moveRunWaypoint({ id, waypoint }, { latitude, longitude }) as Promise<MissionRun>;
   }
 
   cancel(id: string, waypoint: string): Promise<MissionRun> {
-    return this.#call('DELETE', path(id, 'waypoints', waypoint));
+    return this.#rest.cancelRunWaypoint({ id, waypoint }) as Promise<MissionRun>;
   }
 
   join(id: string, drone: string): Promise<MissionRun> {
-    return this.#call('POST', path(id, 'drones'), { drone });
+    return this.#rest.joinRun({ id }, { drone }) as Promise<MissionRun>;
   }
 
   resume(id: string, drone: string): Promise<MissionRun> {
-    return this.#call('POST', path(id, 'drones', drone, 'resume'));
+    return this.#rest.resumeRunDrone({ id, drone }) as Promise<MissionRun>;
   }
 
   giveUp(id: string, drone: string): Promise<MissionRun> {
-    return this.#call('POST', path(id, 'drones', drone, 'give-up'));
+    return this.#rest.giveUpRunDrone({ id, drone }) as Promise<MissionRun>;
   }
 
   answer(id: string, proposal: number, accept: boolean): Promise<MissionRun> {
-    return this.#call('POST', path(id, 'answers', String(proposal)), { accept });
+    return this.#rest.answerRun({ id, proposal: String(proposal) }, { accept }) as Promise<MissionRun>;
   }
 
   pause(id: string): Promise<MissionRun> {
-    return this.#call('POST', path(id, 'pause'));
+    return this.#rest.pauseRun({ id }) as Promise<MissionRun>;
   }
 
   resumeRun(id: string): Promise<MissionRun> {
-    return this.#call('POST', path(id, 'continue'));
+    return this.#rest.continueRun({ id }) as Promise<MissionRun>;
   }
 
   stop(id: string): Promise<MissionRun> {
-    return this.#call('POST', path(id, 'stop'));
+    return this.#rest.stopRun({ id }) as Promise<MissionRun>;
   }
 
   replay(id: string): Promise<Replay> {
-    return this.#call('GET', path(id, 'journal', 'replay'));
+    return this.#rest.replayRunJournal({ id });
   }
-}
-
-function path(...parts: string[]): string {
-  return ['/runs', ...parts.map(encodeURIComponent)].join('/');
 }

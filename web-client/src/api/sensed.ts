@@ -1,1 +1,1 @@
-export type { DroneSensedNumbersView as SensedNumbers, SensedView as Sensed } from './contract';
+export type { DroneSensedNumbersView as SensedNumbers, SensedView as Sensed } from '@dronemap/client';

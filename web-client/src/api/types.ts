@@ -1,11 +1,9 @@
 // The objects of the wire contract, as the server sends them. An unknown fact is null, never 0.
 //
-// What REST answers and takes comes from contract.ts, what is said on the stream from stream-contract.ts, both of which
-// are written from the descriptions. Written by hand is ProblemBody.
+// They come from the client, which has them from the descriptions; some are narrower here.
 
 import type { PlannedItem, WithItems } from './items';
 import type { MissionRun } from './runs';
-import type { StreamMessage as ServerMessage } from './stream-contract';
 import type { VirtualDrone } from './virtual';
 import type { Zone } from './zones';
 import type {
@@ -19,8 +17,10 @@ import type {
   SavedMissionView,
   SetRelayCommand,
   StartMissionCommand,
+  ProblemBody,
   DroneMessageView as VehicleMessage,
-} from './contract';
+  StreamMessage as ServerMessage,
+} from '@dronemap/client';
 
 export type { Action, Command, Link, Outcome, VehicleMessage };
 export type {
@@ -33,7 +33,7 @@ export type {
   DroneMotionView as Motion,
   DronePositionView as Position,
   SettingsView as Settings,
-} from './contract';
+} from '@dronemap/client';
 
 /** `ended`: the recording that it comes from has been played to its end. */
 export type LinkState = Link['state'];
@@ -74,19 +74,6 @@ export type { AltitudeReference, LookAtItem, MissionItem, PlannedItem, WaypointI
 /** Speeds from the vehicle's own nose, in m/s, and a turn in degrees a second, clockwise. */
 export type Velocity = { frame: 'vehicle' } & Record<'forward' | 'right' | 'down' | 'turn', number>;
 
-/** RFC 9457 problem details, with the field at fault and its allowed range where there is one. */
-export interface ProblemBody {
-  type?: string;
-  title?: string;
-  status: number;
-  detail?: string;
-  code?: string;
-  parameters?: Record<string, string | number | boolean>;
-  field?: string;
-  allowed?: string;
-  commandId?: string;
-}
-
 /** Types that are narrower on the page than in the description of the stream. */
 interface NarrowedMembers {
   drone: Drone;
@@ -109,4 +96,4 @@ type Narrowed<M> = M extends unknown
 
 export type StreamMessage = Narrowed<ServerMessage>;
 
-export type { StreamRequest } from './stream-contract';
+export type { StreamRequest } from '@dronemap/client';

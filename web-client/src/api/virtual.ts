@@ -7,11 +7,14 @@ import type {
   VirtualDroneRequest,
   VirtualDroneView,
   VirtualDroneRunView as VirtualRun,
-  WarehouseView,
-} from './contract';
+  RestOperations,
+} from '@dronemap/client';
 
 export type { DroneName, Prospects, VirtualRun };
-export type { WarehouseProspectView as Prospect, VirtualDroneLiveView as VirtualLive } from './contract';
+export type {
+  WarehouseProspectView as Prospect,
+  VirtualDroneLiveView as VirtualLive,
+} from '@dronemap/client';
 
 /** Whole, as the server answers it: its description is of what it takes as well. */
 export type VirtualNeeds = Required<Needs> & { capabilities: NonNullable<Needs['capabilities']> };
@@ -25,55 +28,54 @@ export type VirtualRequest = Required<VirtualDroneRequest>;
 
 export type VirtualState = VirtualRun['state'];
 
-type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
-
 /** The calls around virtual drones and the drones that may serve them. */
 export class VirtualCalls {
-  readonly #call: Call;
+  readonly #rest: RestOperations;
 
-  constructor(call: Call) {
-    this.#call = call;
+  constructor(rest: RestOperations) {
+    this.#rest = rest;
   }
 
   async all(): Promise<VirtualDrone[]> {
-    return (await this.#call<{ virtualDrones: VirtualDrone[] }>('GET', '/virtual-drones')).virtualDrones;
+    return (await this.#rest.listVirtualDrones()).virtualDrones as VirtualDrone[];
   }
 
   add(request: VirtualRequest): Promise<VirtualDrone> {
-    return this.#call('POST', '/virtual-drones', request);
+    return this.#rest.addVirtualDrone(request) as Promise<VirtualDrone>;
   }
 
   replace(id: string, request: VirtualRequest): Promise<VirtualDrone> {
-    return this.#call('PUT', one(id), request);
+    return this.#rest.replaceVirtualDrone({ id }, request) as Promise<VirtualDrone>;
   }
 
   act(id: string, action: 'start' | 'stop' | 'resume'): Promise<VirtualDrone> {
-    return this.#call('POST', `${one(id)}/${action}`, {});
+    return this.#rest[ACTIONS[action]]({ id }) as Promise<VirtualDrone>;
   }
 
   remove(id: string): Promise<void> {
-    return this.#call('DELETE', one(id));
+    return this.#rest.removeVirtualDrone({ id });
   }
 
   async pool(): Promise<DroneName[]> {
-    return (await this.#call<WarehouseView>('GET', '/warehouse')).drones;
+    return (await this.#rest.listWarehouse()).drones;
   }
 
   /** The flights that would follow if that drone were in the pool and nobody had control of it. Changes nothing. */
   prospects(drone: string): Promise<Prospects> {
-    return this.#call('GET', `/warehouse/${encodeURIComponent(drone)}/prospects`);
+    return this.#rest.getProspects({ id: drone });
   }
 
   async offer(drone: string): Promise<DroneName[]> {
-    const path = `/warehouse/${encodeURIComponent(drone)}`;
-    return (await this.#call<WarehouseView>('PUT', path, {})).drones;
+    return (await this.#rest.putIntoWarehouse({ id: drone })).drones;
   }
 
   withdraw(drone: string): Promise<void> {
-    return this.#call('DELETE', `/warehouse/${encodeURIComponent(drone)}`);
+    return this.#rest.takeFromWarehouse({ id: drone });
   }
 }
 
-function one(id: string): string {
-  return `/virtual-drones/${encodeURIComponent(id)}`;
-}
+const ACTIONS = {
+  start: 'startVirtualDrone',
+  stop: 'stopVirtualDrone',
+  resume: 'resumeVirtualDrone',
+} as const satisfies Record<string, keyof RestOperations>;

@@ -1,1 +1,1 @@
-export type { WaitingView as WaitingVehicle } from './contract';
+export type { WaitingView as WaitingVehicle } from '@dronemap/client';

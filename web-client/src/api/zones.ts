@@ -1,6 +1,6 @@
 import type { Point, Polygon } from 'geojson';
 import type { Command } from './types';
-import type { FenceView, ZoneFeature, ZoneProperties as ZoneRequestProperties } from './contract';
+import type { ZoneFeature, ZoneProperties as ZoneRequestProperties, RestOperations } from '@dronemap/client';
 
 /** Whole, as the server answers it: its description is of what it takes as well. */
 export type ZoneProperties = Required<ZoneRequestProperties> & {
@@ -17,50 +17,48 @@ export type NewZone = Omit<Zone, 'id' | 'properties'> & { properties: ZoneReques
 
 export type BreachAction = ZoneProperties['onBreach'];
 
-type Call = <T>(method: string, path: string, body?: unknown) => Promise<T>;
-
 /** The calls around zones. */
 export class ZoneCalls {
-  readonly #call: Call;
+  readonly #rest: RestOperations;
 
-  constructor(call: Call) {
-    this.#call = call;
+  constructor(rest: RestOperations) {
+    this.#rest = rest;
   }
 
   async all(): Promise<Zone[]> {
-    return (await this.#call<{ features: Zone[] }>('GET', '/zones')).features;
+    return (await this.#rest.listZones()).features as Zone[];
   }
 
   add(zone: NewZone): Promise<Zone> {
-    return this.#call('POST', '/zones', zone);
+    return this.#rest.addZone(zone as ZoneFeature) as Promise<Zone>;
   }
 
   replace(id: string, zone: NewZone): Promise<Zone> {
-    return this.#call('PUT', `/zones/${encodeURIComponent(id)}`, zone);
+    return this.#rest.replaceZone({ id }, zone as ZoneFeature) as Promise<Zone>;
   }
 
   /** All zones of a GeoJSON file, or none. */
   async importFile(file: Blob): Promise<Zone[]> {
-    return (await this.#call<{ features: Zone[] }>('POST', '/zones/import', file)).features;
+    return (await this.#rest.importZones(file)).features as Zone[];
   }
 
   /** Makes the zones that bind a drone its own fence. */
   putOnBoard(drone: string): Promise<Command> {
-    return this.#call('PUT', `/drones/${encodeURIComponent(drone)}/fence/zones`);
+    return this.#rest.setFenceFromZones({ id: drone });
   }
 
   /** Has the vehicle's fence read. */
   askOnBoard(drone: string): Promise<Command> {
-    return this.#call('POST', `/drones/${encodeURIComponent(drone)}/fence/refresh`);
+    return this.#rest.readFence({ id: drone });
   }
 
   /** The number of areas in the fence of the vehicle; null: it was not read yet. */
   async onBoard(drone: string): Promise<number | null> {
-    const fence = await this.#call<FenceView>('GET', `/drones/${encodeURIComponent(drone)}/fence`);
+    const fence = await this.#rest.getFence({ id: drone });
     return fence.zones?.length ?? null;
   }
 
   remove(id: string): Promise<void> {
-    return this.#call('DELETE', `/zones/${encodeURIComponent(id)}`);
+    return this.#rest.deleteZone({ id });
   }
 }

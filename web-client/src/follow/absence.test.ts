@@ -4,7 +4,7 @@ import { afterEach, describe, expect, it, vi } from 'vitest';
 import { FollowCalls, type Follow, type PhoneReach } from '../api/follows';
 import { Follows } from '../state/follows.svelte';
 import { STATION, Station } from '../state/station.svelte';
-import { aFollow, aFollowNow } from '../testing';
+import { aFollow, aFollowNow, operationsBy } from '../testing';
 import CutOff from './CutOff.svelte';
 import FollowOverview from './FollowOverview.svelte';
 import { Phone } from './phone.svelte';
@@ -91,7 +91,7 @@ describe('the page of a phone that was away', () => {
   const taken = vi.fn<SendPositions>().mockResolvedValue({ upTo: null });
 
   function open(first: Follow, send: SendPositions = taken): { phone: Phone; follows: Follows } {
-    const follows = new Follows(new FollowCalls(vi.fn()));
+    const follows = new Follows(new FollowCalls(operationsBy(vi.fn())));
     follows.apply(first);
     const phone = new Phone({ follows, sender: () => send });
     phone.now = BEGAN;

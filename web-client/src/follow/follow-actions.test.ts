@@ -2,14 +2,17 @@ import { cleanup, fireEvent, render, screen } from '@testing-library/svelte';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { FollowCalls, type FollowStage } from '../api/follows';
 import { Follows } from '../state/follows.svelte';
-import { aFollow } from '../testing';
+import { aFollow, operationsBy } from '../testing';
 import { Phone } from './phone.svelte';
 import FollowActions from './FollowActions.svelte';
 
 afterEach(cleanup);
 
 function show(state: FollowStage): { phone: Phone; rerender: (state: FollowStage) => Promise<void> } {
-  const phone = new Phone({ follows: new Follows(new FollowCalls(vi.fn())), sender: () => vi.fn() });
+  const phone = new Phone({
+    follows: new Follows(new FollowCalls(operationsBy(vi.fn()))),
+    sender: () => vi.fn(),
+  });
   vi.spyOn(phone, 'act').mockResolvedValue();
   const shown = render(FollowActions, { props: { phone, follow: aFollow({ state }) } });
   return { phone, rerender: (next) => shown.rerender({ phone, follow: aFollow({ state: next }) }) };

@@ -4,6 +4,7 @@ import { FollowCalls } from '../api/follows';
 import { Follows } from '../state/follows.svelte';
 import { STATION, Station } from '../state/station.svelte';
 import FollowRequestPanel from './FollowRequestPanel.svelte';
+import { operationsBy } from '../testing';
 import { Phone } from './phone.svelte';
 
 const WALK = 'I am indoors: use a demo walk';
@@ -16,7 +17,10 @@ describe('where the target is', () => {
   beforeEach(() => {
     vi.clearAllMocks();
     vi.stubGlobal('isSecureContext', true);
-    phone = new Phone({ follows: new Follows(new FollowCalls(vi.fn())), sender: () => vi.fn() });
+    phone = new Phone({
+      follows: new Follows(new FollowCalls(operationsBy(vi.fn()))),
+      sender: () => vi.fn(),
+    });
     phone.locating = 'on';
     phone.fix = { at: 0, latitude: 47, longitude: 8, accuracy: 6, speed: null, course: null };
   });

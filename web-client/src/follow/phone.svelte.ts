@@ -1,6 +1,6 @@
 import type { Follow, FollowOrder, FollowStage, FollowAction, PlaceChange } from '../api/follows';
 import { Problem, sentenceFor } from '../api/problem';
-import { browserTimers } from '../api/stream';
+import { systemTimers } from '@dronemap/client';
 import { AbsenceWatch } from './absence.svelte';
 import { notDoneText } from './follow-text';
 import type { Fix, Locating, TargetSource } from './fix';
@@ -154,7 +154,7 @@ export class Phone {
   #openUplink(follow: Follow): void {
     this.#closeUplink();
     if (follow.state !== 'over') {
-      this.uplink = new PositionUplink(this.#ports.sender(follow.id), browserTimers);
+      this.uplink = new PositionUplink(this.#ports.sender(follow.id), systemTimers);
       if (this.fix !== null) {
         this.uplink.offer(this.fix);
       }

@@ -2,7 +2,7 @@ import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { FollowCalls, type Follow } from '../api/follows';
 import { Problem } from '../api/problem';
 import { Follows } from '../state/follows.svelte';
-import { aFollow, aFollowNow } from '../testing';
+import { aFollow, aFollowNow, operationsBy } from '../testing';
 import { Phone } from './phone.svelte';
 
 const BEGAN = Date.parse('2026-01-01T12:00:00Z');
@@ -13,7 +13,7 @@ const tracking = aFollow({
 });
 
 function following(call: () => Promise<unknown>): { phone: Phone; apply: (follow: Follow) => void } {
-  const follows = new Follows(new FollowCalls(call as never));
+  const follows = new Follows(new FollowCalls(operationsBy(call as never)));
   follows.apply(tracking);
   const phone = new Phone({ follows, sender: () => () => Promise.resolve({ upTo: null }) });
   phone.now = BEGAN;

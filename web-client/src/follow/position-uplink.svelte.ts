@@ -1,6 +1,6 @@
 import { ANSWER_MILLISECONDS, type Positions, type Receipt } from '../api/follows';
 import { Problem } from '../api/problem';
-import type { Timers } from '../api/stream';
+import type { Timers } from '@dronemap/client';
 import { positionsOf, type Fix } from './fix';
 import { FixBuffer } from './fix-buffer';
 

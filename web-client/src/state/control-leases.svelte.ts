@@ -1,6 +1,6 @@
 import type { Control, ControlCalls } from '../api/control';
 import { Problem } from '../api/problem';
-import { PURPOSES } from '../api/purposes';
+import { PURPOSES } from '@dronemap/client';
 import type { CommandKind, Drone } from '../api/types';
 
 /** The server misses three of these before it calls a holder lost. */

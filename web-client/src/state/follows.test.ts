@@ -1,13 +1,13 @@
 import { describe, expect, it, vi } from 'vitest';
 import { FollowCalls } from '../api/follows';
 import { Problem } from '../api/problem';
-import { aFollow, aFollowNow } from '../testing';
+import { aFollow, aFollowNow, operationsBy } from '../testing';
 import { Follows } from './follows.svelte';
 import { PendingRequests } from './pending-requests';
 
 describe('follows', () => {
   it('believe no picture of an earlier stage', () => {
-    const follows = new Follows(new FollowCalls(vi.fn()));
+    const follows = new Follows(new FollowCalls(operationsBy(vi.fn())));
     follows.apply(aFollow({ state: 'tracking', since: '2026-01-01T12:00:05Z' }));
     follows.apply(aFollow({ state: 'starting', since: '2026-01-01T12:00:00Z' }));
     expect(follows.find('f1')?.state).toBe('tracking');
@@ -17,7 +17,7 @@ describe('follows', () => {
     const waits = aFollow({ state: 'tracking', note: 'Copter 1 waits.' });
     let answer: (body: unknown) => void = () => undefined;
     const call = vi.fn(() => new Promise((resolve) => (answer = resolve)));
-    const follows = new Follows(new FollowCalls(call as never));
+    const follows = new Follows(new FollowCalls(operationsBy(call as never)));
     const loading = follows.load();
     follows.apply({ ...waits, note: null });
     answer({ follows: [waits] });
@@ -31,7 +31,7 @@ describe('follows', () => {
   });
 
   it('take what changes all the time for those that are known', () => {
-    const follows = new Follows(new FollowCalls(vi.fn()));
+    const follows = new Follows(new FollowCalls(operationsBy(vi.fn())));
     const now = { ...aFollowNow('2026-01-01T12:00:00Z'), secondsLeft: 300 };
     follows.applyNow('f1', now);
     expect(follows.all).toEqual([]);
@@ -44,7 +44,7 @@ describe('follows', () => {
     const call = vi.fn().mockResolvedValue({
       follows: [aFollow({ state: 'over', since: '2026-01-01T12:01:00Z', end: 'It is down.' })],
     });
-    const follows = new Follows(new FollowCalls(call));
+    const follows = new Follows(new FollowCalls(operationsBy(call)));
     await follows.catchUp();
     expect(call).not.toHaveBeenCalled();
     follows.apply(aFollow({ state: 'tracking' }));

@@ -1,7 +1,7 @@
 import { getContext, setContext } from 'svelte';
 import { RestClient } from '../api/rest';
 import { Problem } from '../api/problem';
-import { browserTimers, StreamClient, streamAddress, type Socket } from '../api/stream';
+import { newUuid, openSocket, StreamClient, streamAddress, systemTimers } from '@dronemap/client';
 import { mayAct, type Role, type Session } from '../api/accounts';
 import type { Positions, Receipt } from '../api/follows';
 import type { CommandKind, Drone, Settings, StreamMessage } from '../api/types';
@@ -14,7 +14,6 @@ import { Directory } from './directory.svelte';
 import { Fleet } from './fleet.svelte';
 import { Follows } from './follows.svelte';
 import { applyUpdate } from './stream-updates';
-import { newUuid } from './uuid';
 import { Planner } from './planner.svelte';
 import { Preferences } from './preferences.svelte';
 import { Runs } from './runs.svelte';
@@ -61,9 +60,9 @@ export class Station {
   settings = $state.raw<Settings | null>(null);
   selected = $derived<Drone | null>(this.fleet.find(this.view.selectedId));
   readonly #stream = new StreamClient(
-    { address: () => this.#streamAddress(), open: openSocket, timers: browserTimers },
+    { address: () => this.#streamAddress(), open: (address) => openSocket(address), timers: systemTimers },
     {
-      onMessage: (message) => this.#receive(message),
+      onMessage: (message) => this.#receive(message as StreamMessage),
       onUp: () => this.#streamUp(),
       onDown: () => this.#streamDown(),
       onRetryAt: (at) => (this.connection.retryAt = at),
@@ -291,8 +290,4 @@ export function useStation(): Station {
 /** Others receive nothing but their own session. */
 function mayLook(session: Session): boolean {
   return !session.mustChangePassword && mayAct(session.role, 'viewer');
-}
-
-function openSocket(address: string): Socket {
-  return new WebSocket(address);
 }

@@ -1,3 +1,4 @@
+import { OPERATIONS } from '@dronemap/client';
 import { describe, expect, it } from 'vitest';
 
 /** By their paths from `src`, with their text. */
@@ -15,7 +16,10 @@ const sources = new Map(
 const WITHOUT_STREAM = ['session/', 'App.svelte'];
 /** Objects whose methods change the page alone, whatever they are called. */
 const OF_THE_PAGE = new Set(['planner', 'view', 'preferences', 'input', 'hold']);
-const CHANGES = /'(POST|PUT|PATCH|DELETE)'/;
+/** Operations of the cloud that change something there. */
+const CHANGING = Object.entries(OPERATIONS).flatMap(([id, { method }]) => (method === 'GET' ? [] : [id]));
+/** One of several operations, all of which change something. */
+const CHANGES = /\[ACTIONS\[/;
 /** Calls that look, though they send something, and what works on the page's own state under a name that also changes. */
 const READS = new Set(['streamTicket', 'compareParameterFile', 'order', 'positions', 'signIn', 'verify']);
 /** The page's own, where the name is that of one that changes; who signs out needs no stream. */
@@ -38,11 +42,13 @@ function changing(): Set<string> {
   const all = [...sources]
     .filter(([name]) => /^(api|state|follow)\/.*\.ts$/.test(name))
     .flatMap(([, text]) => methodsOf(text));
-  const known = new Set(all.filter(([, text]) => CHANGES.test(text)).map(([name]) => name));
+  const known = new Set([...CHANGING, ...all.filter(([, text]) => CHANGES.test(text)).map(([name]) => name)]);
   for (let size = -1; size !== known.size;) {
     size = known.size;
     for (const [name, text] of all) {
-      const calls = [...text.matchAll(/(?:calls|port|ports\.follows|rest|this)\.(#?[a-zA-Z]+)\(/g)];
+      const calls = [
+        ...text.matchAll(/(?:calls|port|ports\.follows|rest|operations|this)\.(#?[a-zA-Z]+)\(/g),
+      ];
       if (calls.some(([, call]) => known.has(call ?? '') && !READS.has(call ?? ''))) {
         known.add(name);
       }

@@ -1,7 +1,7 @@
 import { describe, expect, it, vi } from 'vitest';
 import { ZoneCalls, type Zone } from '../api/zones';
 import { Zones } from '../state/zones.svelte';
-import { aZone } from '../testing';
+import { aZone, operationsBy } from '../testing';
 import { draftOf, featureOf, missing, newZone, withoutLastPoint, withPoint } from './zone-draft';
 import { outlineOf, zoneDraftFeatures, zoneFeatures } from './zone-features';
 import { zoneText } from './zone-text';
@@ -127,7 +127,7 @@ describe('the list of zones', () => {
   });
 
   it('follows what the cloud says', () => {
-    const zones = new Zones(new ZoneCalls(vi.fn()));
+    const zones = new Zones(new ZoneCalls(operationsBy(vi.fn())));
     zones.apply(aZone({ name: 'B' }));
     zones.apply({ ...aZone({ name: 'A' }), id: 'z2' });
     zones.apply(aZone({ name: 'C' }));
@@ -137,7 +137,7 @@ describe('the list of zones', () => {
   });
 
   it('keeps the draft when the cloud refuses it, and says why', async () => {
-    const zones = new Zones(new ZoneCalls(() => Promise.reject(new Error('no'))));
+    const zones = new Zones(new ZoneCalls(operationsBy(() => Promise.reject(new Error('no')))));
     zones.draft = withPoint(newZone('circle'), HERE);
     await zones.save();
     expect(zones.draft).not.toBeNull();

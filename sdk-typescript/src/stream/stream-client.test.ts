@@ -6,8 +6,8 @@ import {
   StreamClient,
   type Socket,
   type Timers,
-} from './stream';
-import type { StreamMessage } from './types';
+} from './stream-client.js';
+import type { StreamMessage } from '../contract/schemas.js';
 
 class FakeTimers implements Timers {
   time = 0;
@@ -43,6 +43,7 @@ class FakeSocket implements Socket {
   onopen: Socket['onopen'] = null;
   onmessage: Socket['onmessage'] = null;
   onclose: Socket['onclose'] = null;
+  onerror: Socket['onerror'] = null;
   closed = false;
   code: number | undefined;
 
@@ -63,7 +64,7 @@ class FakeSocket implements Socket {
   }
 
   drop(): void {
-    this.onclose?.(new Event('close') as CloseEvent);
+    this.onclose?.();
   }
 }
 

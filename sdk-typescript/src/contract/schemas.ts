@@ -16,7 +16,10 @@ export interface components {
             epoch?: number | null;
             /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
             id?: string | null;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "arm";
         };
         /** @description Delete the mission on the vehicle. */
@@ -28,7 +31,10 @@ export interface components {
             epoch?: number | null;
             /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
             id?: string | null;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "clearMission";
         };
         CommandOutcomeView: {
@@ -124,7 +130,10 @@ export interface components {
             force?: boolean | null;
             /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
             id?: string | null;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "disarm";
         };
         DroneActionView: {
@@ -325,7 +334,10 @@ export interface components {
             epoch?: number | null;
             /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
             id?: string | null;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "emergencyStop";
         };
         /** @description What changes all the time; null: nobody knows it. */
@@ -552,7 +564,10 @@ export interface components {
              * @description Degrees
              */
             longitude: number;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "goTo";
         };
         /** @description Go to a place on the vehicle's own map. */
@@ -564,7 +579,10 @@ export interface components {
             epoch?: number | null;
             /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
             id?: string | null;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "goToLocal";
             /**
              * Format: double
@@ -586,7 +604,10 @@ export interface components {
             epoch?: number | null;
             /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
             id?: string | null;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "hold";
         };
         /** @description Land where it is. */
@@ -598,17 +619,26 @@ export interface components {
             epoch?: number | null;
             /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
             id?: string | null;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "land";
         };
         /** @description Land where it is. */
         LandItem: {
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "land";
         };
         /** @description No place is looked at any more. */
         LookAheadItem: {
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "lookAhead";
         };
         /** @description Camera and nose point to a place until the next lookAhead. */
@@ -633,7 +663,10 @@ export interface components {
              * @description Degrees
              */
             longitude: number;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "lookAt";
         };
         /** @description One step of a mission; which members there are depends on the type. */
@@ -644,7 +677,10 @@ export interface components {
         OtherItem: {
             /** @description What it is */
             description: string;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "other";
         };
         /** @description What becomes of a drone in the air when whoever has it has it no more. */
@@ -685,7 +721,10 @@ export interface components {
             epoch?: number | null;
             /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
             id?: string | null;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "pauseMission";
         };
         PlanDroneName: {
@@ -846,15 +885,21 @@ export interface components {
         /** @description The middle of a circle. */
         PointGeometry: {
             /** @description Longitude and latitude in degrees */
-            coordinates: number[] | null;
-            /** @enum {string} */
+            coordinates: number[];
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "Point";
         };
         /** @description An area of 3 to 100 corners. */
         PolygonGeometry: {
             /** @description One ring of positions, the last as the first; each longitude and latitude in degrees */
-            coordinates: number[][][] | null;
-            /** @enum {string} */
+            coordinates: number[][][];
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "Polygon";
         };
         /** @description Why a request was not carried out (RFC 9457); the detail is a sentence for people. */
@@ -888,7 +933,10 @@ export interface components {
             epoch?: number | null;
             /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
             id?: string | null;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "readHome";
         };
         /** @description List the logs on the vehicle. */
@@ -900,7 +948,10 @@ export interface components {
             epoch?: number | null;
             /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
             id?: string | null;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "readLogs";
         };
         /** @description Ask the vehicle for the map that it goes by. */
@@ -912,7 +963,10 @@ export interface components {
             epoch?: number | null;
             /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
             id?: string | null;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "readMap";
         };
         /** @description Read all parameters of the vehicle. */
@@ -924,7 +978,10 @@ export interface components {
             epoch?: number | null;
             /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
             id?: string | null;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "readParameters";
         };
         /** @description Fly home and land there. */
@@ -936,12 +993,18 @@ export interface components {
             epoch?: number | null;
             /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
             id?: string | null;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "returnToLaunch";
         };
         /** @description Fly home and land there. */
         ReturnToLaunchItem: {
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "returnToLaunch";
         };
         RunCountsView: {
@@ -1144,7 +1207,10 @@ export interface components {
              * @description Degrees
              */
             longitude?: number | null;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "setHome";
         };
         /** @description Change the mode. */
@@ -1158,7 +1224,10 @@ export interface components {
             id?: string | null;
             /** @description One of the drone's modes */
             mode: string;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "setMode";
         };
         /** @description Change parameters of the vehicle. */
@@ -1172,7 +1241,10 @@ export interface components {
             id?: string | null;
             /** @description What is to be changed */
             parameters: components["schemas"]["CommandParameterRequest"][];
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "setParameters";
         };
         /** @description Switch a relay on the vehicle. */
@@ -1191,7 +1263,10 @@ export interface components {
             relay: number;
             /** @enum {string} */
             setting: "off" | "on" | "toggle";
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "setRelay";
         };
         /** @description Set an output of the vehicle. */
@@ -1206,7 +1281,10 @@ export interface components {
              * @description Length of its pulses in microseconds, 500 to 2500 when written
              */
             pulse: number;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "setServo";
         };
         /** @description Fly the mission on the vehicle. */
@@ -1223,7 +1301,10 @@ export interface components {
              * @enum {string|null}
              */
             onCloudLoss?: "continue" | "rtl" | null;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "startMission";
         };
         /** @description Each -1 to 1, with 0 in the middle; what is left out is there. */
@@ -1598,7 +1679,10 @@ export interface components {
             epoch?: number | null;
             /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
             id?: string | null;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "takeOff";
         };
         /** @description Climb straight up. */
@@ -1608,12 +1692,18 @@ export interface components {
              * @description Metres above home, 1 to 500 when written
              */
             altitude: number;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "takeOff";
         };
         /** @description Take one picture. */
         TakePhotoItem: {
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "takePhoto";
         };
         /** @description Take one picture. */
@@ -1625,7 +1715,10 @@ export interface components {
             epoch?: number | null;
             /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
             id?: string | null;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "takePicture";
         };
         /** @description Turn on the spot. */
@@ -1642,7 +1735,10 @@ export interface components {
             epoch?: number | null;
             /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
             id?: string | null;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "turn";
         };
         /** @description Bring a mission to the vehicle in place of the one it has. */
@@ -1656,7 +1752,10 @@ export interface components {
             id?: string | null;
             /** @description 1 to 500 items */
             items: components["schemas"]["MissionItemRequest"][];
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "uploadMission";
         };
         VirtualDroneAreaView: {
@@ -1664,17 +1763,17 @@ export interface components {
              * Format: double
              * @description degrees
              */
-            latitude: number | null;
+            latitude?: number | null;
             /**
              * Format: double
              * @description degrees
              */
-            longitude: number | null;
+            longitude?: number | null;
             /**
              * Format: double
              * @description metres, 1 to 100000
              */
-            radius: number | null;
+            radius?: number | null;
         };
         VirtualDroneDroneName: {
             id: string;
@@ -1699,19 +1798,19 @@ export interface components {
         /** @description What a drone must be to serve. */
         VirtualDroneNeedsView: {
             /** @description where it has to stand; null: anywhere */
-            area: components["schemas"]["VirtualDroneAreaView"] | null;
+            area?: components["schemas"]["VirtualDroneAreaView"] | null;
             /** @description names of actions */
-            capabilities: ("arm" | "disarm" | "setMode" | "takeOff" | "land" | "returnToLaunch" | "hold" | "goTo" | "uploadMission" | "startMission" | "pauseMission" | "clearMission" | "turn" | "takePicture" | "setRelay" | "readParameters" | "setParameters" | "readLogs" | "fence" | "rallyPoints" | "setHome" | "readHome" | "goToLocal" | "emergencyStop" | "readMap" | "velocity" | "sticks" | "track" | null)[] | null;
+            capabilities?: ("arm" | "disarm" | "setMode" | "takeOff" | "land" | "returnToLaunch" | "hold" | "goTo" | "uploadMission" | "startMission" | "pauseMission" | "clearMission" | "turn" | "takePicture" | "setRelay" | "readParameters" | "setParameters" | "readLogs" | "fence" | "rallyPoints" | "setHome" | "readHome" | "goToLocal" | "emergencyStop" | "readMap" | "velocity" | "sticks" | "track")[] | null;
             /**
              * Format: int32
              * @description minutes in the air with what is in its battery; null: what the mission takes
              */
-            enduranceMinutes: number | null;
+            enduranceMinutes?: number | null;
             /**
              * @description null: any
              * @enum {string|null}
              */
-            kind: "multicopter" | "helicopter" | "fixedWing" | "vtol" | "rover" | "boat" | "submarine" | "airship" | "unknown" | null;
+            kind?: "multicopter" | "helicopter" | "fixedWing" | "vtol" | "rover" | "boat" | "submarine" | "airship" | "unknown" | null;
         };
         VirtualDronePlaceView: {
             /** Format: int32 */
@@ -1780,7 +1879,10 @@ export interface components {
              * @description Seconds, 0.1 to 3600 when written
              */
             holdSeconds: number;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "wait";
         };
         /** @description Fly through a point, or wait there. */
@@ -1810,17 +1912,20 @@ export interface components {
              * @description Degrees
              */
             longitude: number;
-            /** @enum {string} */
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
             type: "waypoint";
         };
         /** @description A zone as a GeoJSON feature: a Polygon, or a Point with a radius. */
         ZoneFeature: {
-            geometry: components["schemas"]["ZoneGeometry"] | null;
+            geometry?: components["schemas"]["ZoneGeometry"] | null;
             /** @description Given by the server */
-            id: string | null;
-            properties: components["schemas"]["ZoneProperties"] | null;
+            id?: string | null;
+            properties?: components["schemas"]["ZoneProperties"] | null;
             /** @enum {string|null} */
-            type: "Feature" | null;
+            type?: "Feature" | null;
         };
         /** @description A geometry of GeoJSON. */
         ZoneGeometry: components["schemas"]["PolygonGeometry"] | components["schemas"]["PointGeometry"];
@@ -1829,45 +1934,1697 @@ export interface components {
              * @description what floor and ceiling are measured from: home (the default) or amsl
              * @enum {string|null}
              */
-            altitudeReference: "home" | "amsl" | null;
+            altitudeReference?: "home" | "amsl" | null;
             /** @description Who changed it last; given by the server */
-            by: string | null;
+            by?: string | null;
             /**
              * Format: double
              * @description metres; null: without end
              */
-            ceiling: number | null;
+            ceiling?: number | null;
             /** @description Given by the server */
-            changedAt: string | null;
+            changedAt?: string | null;
             /** @description binds this drone; null: every drone */
-            drone: string | null;
+            drone?: string | null;
             /**
              * Format: double
              * @description metres; null: down to the ground
              */
-            floor: number | null;
+            floor?: number | null;
             /** @description ISO 8601; null: already */
-            from: string | null;
+            from?: string | null;
             /**
              * @description exclusion: keep out, the default; inclusion: stay in
              * @enum {string|null}
              */
-            kind: "exclusion" | "inclusion" | null;
-            name: string | null;
+            kind?: "exclusion" | "inclusion" | null;
+            name?: string | null;
             /**
              * @description left out: hold
              * @enum {string|null}
              */
-            onBreach: "hold" | "returnToLaunch" | "land" | null;
+            onBreach?: "hold" | "returnToLaunch" | "land" | null;
             /**
              * Format: double
              * @description Point: metres, 1 to 100000
              */
-            radius: number | null;
+            radius?: number | null;
             /** @description ISO 8601; null: for ever */
-            until: string | null;
+            until?: string | null;
             /** @description binds what this user flies; null: whoever flies */
+            user?: string | null;
+        };
+        AccessKeys: {
+            accessKeys: components["schemas"]["KeyView"][];
+        };
+        AuditPage: {
+            /** Format: int64 */
+            next: number | null;
+            records: components["schemas"]["AuditView"][];
+        };
+        AuditVerdictView: {
+            detail: string;
+            /** Format: int64 */
+            firstBad: number | null;
+            /** Format: int64 */
+            records: number;
+            sound: boolean;
+        };
+        AuditView: {
+            /** @description Id of the access key that was shown */
+            accessKey: string | null;
+            /** Format: date-time */
+            at: string;
+            by: string | null;
+            command: string | null;
+            drone: string | null;
+            /** Format: int64 */
+            epoch: number | null;
+            face: string;
+            /** @description Of the record, over all before it as well */
+            hash: string;
+            /** Format: int64 */
+            latencyMillis: number | null;
+            operation: string;
+            /** @enum {string} */
+            outcome: "underWay" | "succeeded" | "refused" | "failed" | "timedOut" | "superseded" | "unknown";
+            parameters: string;
+            reason: string | null;
+            /** Format: int64 */
+            sequence: number;
+        };
+        /** @description One command for several drones. */
+        BroadcastRequest: {
+            command: components["schemas"]["CommandRequest"];
+            /**
+             * @description Ids of the drones, or all of them by "all" alone
+             * @example [
+             *       "all"
+             *     ]
+             */
+            drones: string[];
+            /** @description Your own id (8 to 36 of A-Z a-z 0-9 _ -): the same id twice acts once on each drone */
+            id?: string | null;
+        };
+        BroadcastResult: {
+            /** @description The same for programs; docs/problems.md lists them */
+            code: string | null;
+            command: components["schemas"]["CommandView"] | null;
+            drone: string;
+            name: string | null;
+            /** @description What the problem is about; which of them come with which code, docs/problems.md tells */
+            parameters: {
+                [key: string]: string | number | boolean;
+            } | null;
+            problem: string | null;
+        };
+        BroadcastView: {
+            id: string;
+            results: components["schemas"]["BroadcastResult"][];
+        };
+        Commands: {
+            commands: components["schemas"]["CommandView"][];
+        };
+        /** @description Asks the holder for control. */
+        ControlAskRequest: {
+            /** @description For the holder: at most 200 characters */
+            reason?: string | null;
+        };
+        /** @description Gives control to somebody who asks for it. */
+        ControlGrantRequest: {
+            /** @description The name of the user */
+            user: string;
+        };
+        /** @description Gives control to somebody. */
+        ControlHandOverRequest: {
+            /** @description The name of the user */
+            user: string;
+        };
+        /** @description The holder is there. */
+        ControlHeartbeatRequest: {
+            /**
+             * Format: int64
+             * @description Of the control that was taken
+             */
+            epoch: number;
+        };
+        /** @description Keeps control from somebody who asks for it. */
+        ControlRefuseRequest: {
+            /** @description For that user: at most 200 characters */
+            reason?: string | null;
+            /** @description The name of the user */
+            user: string;
+        };
+        /** @description Takes control from whoever has it. */
+        ControlTakeOverRequest: {
+            /** @description For all who see the drone: 1 to 200 characters */
+            reason: string;
+        };
+        Credentials: {
+            name?: string | null;
+            password?: string | null;
+        };
+        Drones: {
+            drones: components["schemas"]["DroneView"][];
+        };
+        DtlsKeyRequest: {
+            drone?: string | null;
+            label?: string | null;
+        };
+        DtlsKeyView: {
+            connected: boolean;
+            identity: string;
+            label: string;
+            /** Format: date-time */
+            madeAt: string;
+            madeBy: string;
+            secret: string | null;
+        };
+        DtlsKeys: {
+            dtlsKeys: components["schemas"]["DtlsKeyView"][];
+        };
+        EndpointCounts: {
+            /** Format: int64 */
+            brokenBytes: number;
+            /** Format: int64 */
+            droppedIn: number;
+            /** Format: int64 */
+            droppedOut: number;
+            /** Format: int64 */
+            framesIn: number;
+            /** Format: int64 */
+            framesOut: number;
+            /** Format: int64 */
+            kernelDrops: number | null;
+            /** Format: int64 */
+            lost: number;
+            /** Format: int32 */
+            peers: number;
+            /** Format: int64 */
+            queue: number;
+            /** Format: int64 */
+            refusedPeers: number;
+            /** Format: int64 */
+            throttled: number;
+        };
+        EndpointPeerView: {
+            address: string;
+            /** Format: int64 */
+            brokenBytes: number;
+            /** Format: int64 */
+            dropped: number;
+            /** Format: int64 */
+            framesIn: number;
+            /** Format: int64 */
+            framesOut: number;
+            identity: string | null;
+            /** Format: int64 */
+            lost: number;
+            /** Format: int32 */
+            queue: number;
+            /** Format: double */
+            silentSeconds: number;
+        };
+        EndpointRequest: {
+            url?: string | null;
+        };
+        EndpointView: {
+            /** Format: date-time */
+            addedAt: string | null;
+            addedBy: string | null;
+            counts: components["schemas"]["EndpointCounts"];
+            id: string;
+            /** @enum {string} */
+            origin: "configured" | "added";
+            peers: components["schemas"]["EndpointPeerView"][];
+            reason: string | null;
+            /** @enum {string} */
+            state: "open" | "connecting" | "failed";
+            transport: string;
+            url: string;
+        };
+        Endpoints: {
+            endpoints: components["schemas"]["EndpointView"][];
+        };
+        EnrolRequest: {
+            name?: string | null;
+            organisation?: string | null;
+        };
+        EventGap: {
+            /**
+             * Format: int64
+             * @description Events with higher numbers come after the gap; 0: all do
+             */
+            after: number;
+            /** @enum {string} */
+            cause: "notWritten" | "serverEnded" | "restored" | "expired" | "otherSeries";
+            /**
+             * Format: int64
+             * @description How many events are missing, those of drones that are not shown to you included; told to those who run the server; null: not known, or not told
+             */
+            count: number | null;
+            /**
+             * Format: date-time
+             * @description Since when events are missing; null: not known
+             */
+            from: string | null;
+            /** @description The reason, as a sentence */
+            text: string;
+            /**
+             * Format: date-time
+             * @description Until when; null: not known
+             */
+            until: string | null;
+        };
+        EventView: {
+            /** Format: date-time */
+            at: string;
+            by: string | null;
+            /** @description Id of the command */
+            command: string | null;
+            /** @enum {string} */
+            kind: "armed" | "disarmed" | "mode" | "phase" | "message" | "command" | "mission" | "control";
+            reason: string | null;
+            /** @enum {string|null} */
+            result: "succeeded" | "refused" | "failed" | "timedOut" | "superseded" | "unknown" | null;
+            /** @enum {string|null} */
+            severity: "emergency" | "alert" | "critical" | "error" | "warning" | "notice" | "info" | "debug" | null;
+            text: string;
+        };
+        Events: {
+            drone: string;
+            events: components["schemas"]["EventView"][];
+            /** Format: date-time */
+            from: string;
+            more: boolean;
+            /** Format: date-time */
+            until: string;
+        };
+        /** @description An area round a point. */
+        FenceCircleView: {
+            center: components["schemas"]["FencePointView"];
+            /** @description Whether it stays in it, or out of it */
+            inside: boolean;
+            /**
+             * Format: double
+             * @description Metres, 1 to 100000
+             */
+            radius: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "circle";
+        };
+        FencePointView: {
+            /** Format: double */
+            latitude?: number | null;
+            /** Format: double */
+            longitude?: number | null;
+        };
+        /** @description An area within corners. */
+        FencePolygonView: {
+            /** @description 3 to 100 */
+            corners: components["schemas"]["FencePointView"][];
+            /** @description Whether it stays in it, or out of it */
+            inside: boolean;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "polygon";
+        };
+        FenceRallyPointView: {
+            /** Format: double */
+            altitude?: number | null;
+            /** Format: double */
+            latitude?: number | null;
+            /** Format: double */
+            longitude?: number | null;
+        };
+        FenceRallyView: {
+            points?: components["schemas"]["FenceRallyPointView"][] | null;
+        };
+        FenceView: {
+            zones?: components["schemas"]["FenceZoneView"][] | null;
+        };
+        /** @description An area that the vehicle stays in or out of; which members there are depends on the type. */
+        FenceZoneView: components["schemas"]["FencePolygonView"] | components["schemas"]["FenceCircleView"];
+        FieldSeries: {
+            least: (number | null)[];
+            most: (number | null)[];
+            name: string;
+            unit: string;
+        };
+        FleetRequest: {
+            drones?: string[] | null;
+            name?: string | null;
+        };
+        FleetView: {
+            drones: string[];
+            id: string;
+            name: string;
+        };
+        Fleets: {
+            fleets: components["schemas"]["FleetView"][];
+        };
+        FlightChargeView: {
+            /** Format: int32 */
+            first: number | null;
+            /** Format: int32 */
+            last: number | null;
+            /** Format: int32 */
+            used: number | null;
+        };
+        FlightNotes: {
+            notes?: string | null;
+        };
+        FlightSpotView: {
+            /** Format: double */
+            latitude: number;
+            /** Format: double */
+            longitude: number;
+        };
+        FlightView: {
+            battery: components["schemas"]["FlightChargeView"];
+            /**
+             * Format: double
+             * @description Along the ground, in metres
+             */
+            distance: number;
+            drone: string;
+            droneName: string;
+            /**
+             * Format: date-time
+             * @description Null while it goes on; of a lost one, when it was last heard
+             */
+            end: string | null;
+            /**
+             * Format: double
+             * @description From where it was armed, in metres
+             */
+            farthest: number | null;
+            /**
+             * Format: double
+             * @description Over ground, in m/s
+             */
+            fastest: number | null;
+            /**
+             * Format: double
+             * @description Above home, in metres
+             */
+            highest: number | null;
+            id: string;
+            last: components["schemas"]["FlightSpotView"] | null;
+            notes: string;
+            notice: string | null;
+            /** @description What the cloud conducted with it */
+            operation: string | null;
+            /** @description Ids of recordings of it */
+            recordings: string[];
+            /** Format: double */
+            seconds: number;
+            /** Format: date-time */
+            start: string;
+            /** @enum {string} */
+            state: "running" | "lost" | "ended";
+            takeOff: components["schemas"]["FlightSpotView"] | null;
+            /** @description Who commanded it; empty: nobody here */
+            users: string[];
+        };
+        Flights: {
+            flights: components["schemas"]["FlightView"][];
+            next: string | null;
+        };
+        FollowList: {
+            follows: components["schemas"]["FollowView"][];
+        };
+        /** @description Where a phone is that asks to be followed, and where the drone is to stay beside it. */
+        FollowOpenRequest: {
+            /** @description The id of a drone; left out: the best one of the warehouse is chosen */
+            drone?: string | null;
+            /**
+             * Format: double
+             * @description degrees
+             */
+            latitude: number;
+            /**
+             * Format: double
+             * @description degrees
+             */
+            longitude: number;
+            /**
+             * Format: double
+             * @description How long it shall last, 1 to 60 minutes: so much has to be in the battery; left out: 10
+             */
+            minutes?: number | null;
+            /** @description For people, up to 60 characters; left out: Follow */
+            name?: string | null;
+            /**
+             * Format: double
+             * @description Without positions for so many seconds the drone flies home, 10 to 600; left out: 60
+             */
+            patience?: number | null;
+            place?: components["schemas"]["FollowPlaceRequest"] | null;
+            /**
+             * Format: double
+             * @description m/s that the drone flies at most, 1 to 15; left out: 12
+             */
+            speed?: number | null;
+        };
+        /** @description Where the drone stays beside the phone; what is left out stays as it is. */
+        FollowPlaceRequest: {
+            /**
+             * Format: double
+             * @description degrees from north to the side where it stays, for fixed
+             */
+            bearing?: number | null;
+            /**
+             * Format: double
+             * @description metres on the ground, 0 to 200; left out at first: 8
+             */
+            distance?: number | null;
+            /**
+             * Format: double
+             * @description metres above the drone's home, 5 to 120; left out at first: 15
+             */
+            height?: number | null;
+            /**
+             * @description left out at first: behind
+             * @enum {string|null}
+             */
+            side?: "behind" | "ahead" | "fixed" | "orbit" | null;
+            /**
+             * Format: double
+             * @description degrees a second clockwise, -30 to 30, for orbit
+             */
+            turn?: number | null;
+        };
+        /** @description Where the phone was, oldest first. Times are by its own clock. */
+        FollowPositionsRequest: {
+            /** @description Up to 60. None: the phone is there, and does not know where it is */
+            positions: components["schemas"]["FollowPositionRequest"][];
+            /**
+             * Format: double
+             * @description Milliseconds from sending one to its answer, as measured lately
+             */
+            roundTrip?: number | null;
+            /**
+             * Format: date-time
+             * @description When this is sent
+             */
+            sent: string;
+        };
+        FollowedEvents: {
+            /** @description By their numbers */
+            events: components["schemas"]["NumberedEvent"][];
+            /** @description Where events are missing, in order */
+            gaps: components["schemas"]["EventGap"][];
+            /** @description To go on from, as after: a text that only the server reads */
+            next: string;
+        };
+        GiftRequest: {
+            /** @description Whether the new owners see flights, recordings, commands and telemetry of before, without names of people */
+            histories?: boolean | null;
+        };
+        GiftView: {
+            /** Format: date-time */
+            at: string;
+            /** @description Id of the drone */
+            drone: string;
+            /** @description As it was called then */
+            droneName: string;
+            /** @description Id of the organisation that gave it */
+            from: string;
+            histories: boolean;
+            /** @description What goes along, and what does not */
+            notice: string;
+            /** @description Id of the organisation that it belongs to now */
+            to: string;
+        };
+        Gifts: {
+            gifts: components["schemas"]["GiftView"][];
+        };
+        GrantRequest: {
+            all?: boolean | null;
+            drones?: string[] | null;
+            fleet?: string | null;
+            from?: string | null;
+            group?: string | null;
+            operations?: ("view" | "plan" | "command" | "administer")[] | null;
+            until?: string | null;
+            user?: string | null;
+            virtual?: boolean | null;
+        };
+        GrantView: {
+            all: boolean;
+            /** Format: date-time */
+            at: string;
+            by: string;
+            drones: string[] | null;
+            fleet: string | null;
+            /** Format: date-time */
+            from: string;
+            group: string | null;
+            id: string;
+            operations: ("view" | "plan" | "command" | "administer")[];
+            /** @enum {string} */
+            state: "inForce" | "toCome" | "over";
+            /** Format: date-time */
+            until: string | null;
             user: string | null;
+            virtual: boolean;
+        };
+        Grants: {
+            grants: components["schemas"]["GrantView"][];
+        };
+        GroupRequest: {
+            members?: string[] | null;
+            name?: string | null;
+        };
+        GroupView: {
+            id: string;
+            members: string[];
+            name: string;
+            onlyGranted: boolean;
+        };
+        Groups: {
+            groups: components["schemas"]["GroupView"][];
+        };
+        HealthDetails: {
+            ends: components["schemas"]["HealthEnd"][];
+            parts: components["schemas"]["HealthPart"][];
+            refused: string[];
+        };
+        HealthDroneCounts: {
+            /** Format: int64 */
+            armed: number;
+            /** Format: int64 */
+            live: number;
+            /** Format: int64 */
+            lost: number;
+            /** Format: int64 */
+            ready: number;
+            /** Format: int64 */
+            suspect: number;
+        };
+        HealthEnd: {
+            /** Format: int64 */
+            at: number;
+            part: string;
+            peers: string[];
+            why: string;
+        };
+        HealthLastEnd: {
+            /** Format: int64 */
+            at: number;
+            part: string;
+        };
+        HealthPart: {
+            name: string;
+            state: string;
+            why: string | null;
+        };
+        HealthView: {
+            database: string;
+            drones: components["schemas"]["HealthDroneCounts"];
+            history: string;
+            lastEnd: components["schemas"]["HealthLastEnd"] | null;
+            links: string;
+            parts: {
+                [key: string]: string;
+            };
+            /** Format: int32 */
+            refusedPeers: number;
+            runs: string;
+            setAside: boolean;
+            status: string;
+            /** Format: int64 */
+            uptimeSeconds: number;
+            version: string;
+        };
+        HistoryView: {
+            /**
+             * Format: int64
+             * @description States and events since the start that are missing for ever
+             */
+            dropped: number;
+            /** @description What telemetry is kept in, with its version; null while it does not answer */
+            server: string | null;
+            /** @description What is wrong, a sentence; null: nothing */
+            trouble: string | null;
+            up: boolean;
+            /**
+             * Format: int32
+             * @description States and events that are not written yet
+             */
+            waiting: number;
+            /**
+             * Format: int64
+             * @description States and events since the start
+             */
+            written: number;
+        };
+        InvitationView: {
+            code: string | null;
+            /** Format: date-time */
+            expiresAt: string;
+            id: string;
+            invitedBy: string;
+            label: string;
+            /** @enum {string} */
+            role: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator";
+        };
+        Invitations: {
+            invitations: components["schemas"]["InvitationView"][];
+        };
+        JournalEntryView: {
+            /** Format: date-time */
+            at: string;
+            /** @description What it decided: its actions, why, and the SHA-256 of the state that followed; null of the entry 0 */
+            decision: string | null;
+            /** @description What befell it, as it was written down; of the entry 0 the state that it began with */
+            input: string;
+            /**
+             * Format: int64
+             * @description From 0
+             */
+            number: number;
+        };
+        /** @description An area as a geometry of GeoJSON: a Polygon, or a Point with a radius. */
+        KeyArea: components["schemas"]["PolygonKeyArea"] | components["schemas"]["PointKeyArea"];
+        KeyRequest: {
+            /** @enum {string|null} */
+            altitudeReference?: "home" | "amsl" | null;
+            area?: components["schemas"]["KeyArea"] | null;
+            /** Format: double */
+            ceiling?: number | null;
+            /** Format: int32 */
+            days?: number | null;
+            drones?: string[] | null;
+            /** Format: double */
+            floor?: number | null;
+            label?: string | null;
+            operations?: ("view" | "plan" | "command" | "administer")[] | null;
+            /** @enum {string|null} */
+            role?: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator" | null;
+        };
+        KeyView: {
+            /** @enum {string|null} */
+            altitudeReference: "home" | "amsl" | null;
+            area: components["schemas"]["KeyArea"] | null;
+            /** Format: double */
+            ceiling: number | null;
+            /** Format: date-time */
+            createdAt: string;
+            drones: string[] | null;
+            /** Format: date-time */
+            expiresAt: string | null;
+            /** Format: double */
+            floor: number | null;
+            id: string;
+            key: string | null;
+            label: string;
+            /** Format: date-time */
+            lastUsedAt: string | null;
+            operations: ("view" | "plan" | "command" | "administer")[];
+            parent: string | null;
+            /** @enum {string} */
+            role: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator";
+        };
+        LeftBehind: {
+            drones: components["schemas"]["LeftBehindView"][];
+        };
+        LeftBehindView: {
+            id: string;
+            name: string;
+            outstanding: components["schemas"]["DroneOutstandingView"][];
+            /** Format: date-time */
+            since: string;
+        };
+        LinkKeyRequest: {
+            key?: string | null;
+        };
+        LinkSecurityChangeRequest: {
+            confirm?: boolean | null;
+        };
+        LinkSecurityKey: {
+            fingerprint: string;
+            inUse: boolean;
+        };
+        LinkSecurityMessages: {
+            /** Format: int64 */
+            badSignature: number;
+            /** Format: int64 */
+            replayed: number;
+            /** Format: int64 */
+            tooManyStreams: number;
+            /** Format: int64 */
+            tooOld: number;
+            /** Format: int64 */
+            unsigned: number;
+            /** Format: int64 */
+            valid: number;
+        };
+        LinkSecurityPolicyRequest: {
+            /** @enum {string|null} */
+            policy?: "off" | "optional" | "required" | null;
+        };
+        /** @description How a drone's link is secured; a key shows its fingerprint only. */
+        LinkSecurityView: {
+            /**
+             * @description While that is under way
+             * @enum {string|null}
+             */
+            changing: "install" | "rotate" | "revoke" | null;
+            key: components["schemas"]["LinkSecurityKey"] | null;
+            messages: components["schemas"]["LinkSecurityMessages"];
+            /** @description Fingerprint of the key that is being changed over to */
+            nextKey: string | null;
+            /** @enum {string} */
+            policy: "off" | "optional" | "required";
+            /** @description Whether a key may be sent over the present link; null: there is none */
+            safeLink: boolean | null;
+        };
+        LinkTraffic: {
+            vehicles: components["schemas"]["TrafficView"][];
+        };
+        LogView: {
+            /** Format: date-time */
+            at: string | null;
+            here: boolean;
+            /** Format: int32 */
+            number: number;
+            /** Format: int64 */
+            sizeBytes: number;
+        };
+        LogsView: {
+            logs: components["schemas"]["LogView"][] | null;
+        };
+        MadeLinkKey: {
+            fingerprint: string;
+            key: string;
+        };
+        MissionRequest: {
+            items?: components["schemas"]["MissionItemRequest"][] | null;
+            name?: string | null;
+        };
+        Missions: {
+            missions: components["schemas"]["SavedMissionView"][];
+        };
+        NewInvitation: {
+            /** Format: int32 */
+            days?: number | null;
+            label?: string | null;
+            organisation?: string | null;
+            /** @enum {string|null} */
+            role?: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator" | null;
+        };
+        NewUser: {
+            name?: string | null;
+            password?: string | null;
+            /** @enum {string|null} */
+            role?: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator" | null;
+        };
+        NumberedEvent: {
+            /** Format: date-time */
+            at: string;
+            by: string | null;
+            /** @description Id of the command */
+            command: string | null;
+            /** @description Id of the drone */
+            drone: string;
+            /** @enum {string} */
+            kind: "armed" | "disarmed" | "mode" | "phase" | "message" | "command" | "mission" | "control";
+            /**
+             * Format: int64
+             * @description Rises from event to event, with numbers left out; below 2^53
+             */
+            number: number;
+            reason: string | null;
+            /** @enum {string|null} */
+            result: "succeeded" | "refused" | "failed" | "timedOut" | "superseded" | "unknown" | null;
+            /** @enum {string|null} */
+            severity: "emergency" | "alert" | "critical" | "error" | "warning" | "notice" | "info" | "debug" | null;
+            text: string;
+        };
+        OneTimePassword: {
+            name: string;
+            password: string;
+        };
+        OnlyGrantedRequest: {
+            onlyGranted?: boolean | null;
+        };
+        OrganisationNameRequest: {
+            name?: string | null;
+        };
+        OrganisationView: {
+            /** Format: int64 */
+            drones: number;
+            id: string;
+            /** Format: date-time */
+            madeAt: string | null;
+            name: string;
+            /** Format: int64 */
+            users: number;
+        };
+        Organisations: {
+            organisations: components["schemas"]["OrganisationView"][];
+        };
+        OutletClientView: {
+            address: string;
+            /** Format: int32 */
+            drones: number;
+            /** Format: int64 */
+            dropped: number;
+            id: string;
+            /** Format: int64 */
+            messagesIn: number;
+            /** Format: int64 */
+            messagesOut: number;
+            /** Format: double */
+            messagesPerSecondIn: number;
+            /** Format: double */
+            messagesPerSecondOut: number;
+            /** Format: int32 */
+            queue: number;
+            /** Format: double */
+            silentSeconds: number;
+            /** Format: date-time */
+            since: string;
+            /** Format: int32 */
+            systemId: number;
+            transport: string;
+            user: string;
+        };
+        OutletPortRequest: {
+            address?: string | null;
+            /** Format: int32 */
+            hours?: number | null;
+        };
+        OutletPortView: {
+            address: string;
+            endpoint: string;
+            id: string;
+            peer: string | null;
+            /** Format: int64 */
+            refused: number;
+            /** Format: date-time */
+            since: string;
+            /** Format: date-time */
+            until: string;
+            user: string;
+        };
+        OutletRefusedView: {
+            /** Format: int64 */
+            badSignature: number;
+            /** Format: int64 */
+            elsewhere: number;
+            /** Format: int64 */
+            replayed: number;
+            /** Format: int64 */
+            tooOld: number;
+            /** Format: int64 */
+            turnedAway: number;
+            /** Format: int64 */
+            unsigned: number;
+        };
+        OutletView: {
+            clients: components["schemas"]["OutletClientView"][];
+            /** Format: int64 */
+            dropped: number;
+            endpoints: string[];
+            /** Format: int64 */
+            notPassed: number;
+            ports: components["schemas"]["OutletPortView"][];
+            refused: components["schemas"]["OutletRefusedView"];
+        };
+        OwnOutletView: {
+            clients: components["schemas"]["OutletClientView"][];
+            endpoints: string[];
+            passphraseSet: boolean;
+            ports: components["schemas"]["OutletPortView"][];
+        };
+        ParameterValueRequest: {
+            id?: string | null;
+            /** Format: double */
+            value?: number | null;
+        };
+        ParameterView: {
+            name: string;
+            /** @enum {string} */
+            type: "uint8" | "int8" | "uint16" | "int16" | "uint32" | "int32" | "uint64" | "int64" | "real32" | "real64";
+            /** Format: double */
+            value: number;
+        };
+        ParametersDifferenceView: {
+            /** Format: double */
+            held: number;
+            name: string;
+            /** @enum {string} */
+            type: "uint8" | "int8" | "uint16" | "int16" | "uint32" | "int32" | "uint64" | "int64" | "real32" | "real64";
+            /** Format: double */
+            wanted: number;
+        };
+        ParametersFileView: {
+            command: components["schemas"]["CommandView"] | null;
+            different: components["schemas"]["ParametersDifferenceView"][];
+            /** Format: int32 */
+            same: number;
+            unfit: components["schemas"]["ParametersDifferenceView"][];
+            unknown: string[];
+        };
+        ParametersView: {
+            parameters: components["schemas"]["ParameterView"][];
+            /** Format: date-time */
+            readAt: string | null;
+            /** Format: int32 */
+            total: number;
+        };
+        PassphraseRequest: {
+            /** @description 16 to 64 printable ASCII characters, without blanks at the ends */
+            passphrase?: string | null;
+        };
+        PassphraseView: {
+            passphrase: string;
+        };
+        PasswordRequest: {
+            current?: string | null;
+            next?: string | null;
+        };
+        /** @description How a plan is accepted. */
+        PlanAcceptRequest: {
+            /**
+             * @description what a drone does by itself when it no longer hears the cloud
+             * @enum {string|null}
+             */
+            onCloudLoss?: "continue" | "rtl" | null;
+            /** @description Whether the drones are armed and started, each when the plan says, once all have their missions; left out: no */
+            start?: boolean | null;
+        };
+        /** @description All is done as early as can be. */
+        PlanEarliestEndObjective: {
+            /** @description Whether each drone must fly; left out: drones may stay where they are */
+            everyDrone?: boolean | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "earliestEnd";
+        };
+        /** @description All tours together are as short as can be. */
+        PlanLeastDistanceObjective: {
+            /** @description Whether each drone must fly; left out: drones may stay where they are */
+            everyDrone?: boolean | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "leastDistance";
+        };
+        /** @description All tours together take as little energy as can be. */
+        PlanLeastEnergyObjective: {
+            /** @description Whether each drone must fly; left out: drones may stay where they are */
+            everyDrone?: boolean | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "leastEnergy";
+        };
+        /** @description All tours together take as little time as can be. */
+        PlanLeastTimeObjective: {
+            /** @description Whether each drone must fly; left out: drones may stay where they are */
+            everyDrone?: boolean | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "leastTime";
+        };
+        PlanList: {
+            plans: components["schemas"]["PlanView"][];
+        };
+        /** @description Camera and nose point to a place. */
+        PlanLookAtTask: {
+            /**
+             * Format: double
+             * @description Metres; as of what is said by the waypoint's altitudeReference
+             */
+            altitude: number;
+            /**
+             * Format: double
+             * @description Degrees
+             */
+            latitude: number;
+            /**
+             * Format: double
+             * @description Degrees
+             */
+            longitude: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "lookAt";
+        };
+        /** @description What the plan is to be good at; which members there are depends on the kind. */
+        PlanObjectiveRequest: components["schemas"]["PlanEarliestEndObjective"] | components["schemas"]["PlanLeastTimeObjective"] | components["schemas"]["PlanLeastDistanceObjective"] | components["schemas"]["PlanLeastEnergyObjective"] | components["schemas"]["PlanWeightedObjective"];
+        /** @description One picture. */
+        PlanPhotoTask: {
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "photo";
+        };
+        /** @description It stays, and what its sensors tell meanwhile is kept. */
+        PlanReadSensorsTask: {
+            /**
+             * Format: double
+             * @description For how long in seconds, 1 to 3600; left out: 5
+             */
+            seconds?: number | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "readSensors";
+        };
+        /** @description Waypoints that are to be shared out among drones. */
+        PlanRequest: {
+            /** @description Ids of 1 to 100 drones that are on the ground */
+            drones: string[];
+            /** @description What the plan is to be good at; left out: all done as early as can be */
+            objective?: components["schemas"]["PlanObjectiveRequest"] | null;
+            /**
+             * Format: double
+             * @description Seconds to search, 0.1 to 60; left out: 5
+             */
+            seconds?: number | null;
+            /**
+             * Format: int64
+             * @description Where the search begins; left out: 1
+             */
+            seed?: number | null;
+            /** @description 1 to 5000 */
+            waypoints: components["schemas"]["PlanWaypointRequest"][];
+            /** @description The same everywhere; left out: calm */
+            wind?: components["schemas"]["PlanWindRequest"] | null;
+        };
+        /** @description An output of the vehicle is set. */
+        PlanServoTask: {
+            /**
+             * Format: int32
+             * @description Which output, 1 to 32
+             */
+            output: number;
+            /**
+             * Format: int32
+             * @description Length of its pulses in microseconds, 500 to 2500
+             */
+            pulse: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "servo";
+        };
+        /** @description Something that is done at a waypoint; which members there are depends on the type. */
+        PlanTaskRequest: components["schemas"]["PlanPhotoTask"] | components["schemas"]["PlanServoTask"] | components["schemas"]["PlanLookAtTask"] | components["schemas"]["PlanReadSensorsTask"];
+        /** @description A place that one drone is to visit. */
+        PlanWaypointRequest: {
+            /**
+             * Format: double
+             * @description metres
+             */
+            altitude?: number | null;
+            /**
+             * @description home (the default): above the highest home of these drones, which must lie within 20 m; or amsl
+             * @enum {string|null}
+             */
+            altitudeReference?: "home" | "amsl" | null;
+            /**
+             * Format: double
+             * @description Seconds that the drone stays there, 0 to 3600; left out: 0
+             */
+            holdSeconds?: number | null;
+            /** @description Your own name of it, up to 40 characters; left out: its number from 1 */
+            id?: string | null;
+            /**
+             * Format: double
+             * @description degrees
+             */
+            latitude?: number | null;
+            /**
+             * Format: double
+             * @description degrees
+             */
+            longitude?: number | null;
+            /** @description What a drone must be able to do for it, such as takePicture */
+            needs?: string[] | null;
+            /**
+             * Format: double
+             * @description What leaving it out weighs beside others, 0.001 to 1000; left out: 1
+             */
+            priority?: number | null;
+            /** @description What is done there, in order; up to 10 */
+            tasks?: components["schemas"]["PlanTaskRequest"][] | null;
+            /** @description When its task may begin; left out: at any time */
+            window?: components["schemas"]["PlanWindowRequest"] | null;
+        };
+        /** @description The longest tour and the sum over all tours, by weights. */
+        PlanWeightedObjective: {
+            /** @description Whether each drone must fly; left out: drones may stay where they are */
+            everyDrone?: boolean | null;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            kind: "weighted";
+            /**
+             * Format: double
+             * @description Of the longest tour's seconds, 0 to 1000000
+             */
+            longestWeight: number;
+            /**
+             * @description What is summed; left out: seconds
+             * @enum {string|null}
+             */
+            measure?: "seconds" | "meters" | "joules" | null;
+            /**
+             * Format: double
+             * @description Of the sum over all tours, 0 to 1000000; above 0 where longestWeight is 0
+             */
+            sumWeight: number;
+        };
+        PlanWindRequest: {
+            /**
+             * Format: double
+             * @description where it comes from: degrees clockwise from north, 0 to 360
+             */
+            from?: number | null;
+            /**
+             * Format: double
+             * @description m/s, 0 to 100
+             */
+            speed?: number | null;
+        };
+        /** @description Seconds after the start of the plan. */
+        PlanWindowRequest: {
+            /**
+             * Format: double
+             * @description left out: never
+             */
+            closes?: number | null;
+            /**
+             * Format: double
+             * @description left out: 0
+             */
+            opens?: number | null;
+        };
+        /** @description A circle around a point. */
+        PointKeyArea: {
+            /** @description Longitude and latitude in degrees */
+            coordinates: number[];
+            /**
+             * Format: double
+             * @description Metres, 1 to 100000
+             */
+            radius: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "Point";
+        };
+        PointView: {
+            /** Format: double */
+            altitudeAboveHome: number | null;
+            /** Format: double */
+            altitudeAmsl: number | null;
+            armed: boolean | null;
+            /** Format: date-time */
+            at: string;
+            /** Format: int32 */
+            batteryPercent: number | null;
+            /** Format: double */
+            climbRate: number | null;
+            /** @enum {string|null} */
+            flight: "onGround" | "takingOff" | "inAir" | "landing" | null;
+            /** Format: double */
+            groundSpeed: number | null;
+            /** Format: double */
+            heading: number | null;
+            /** Format: double */
+            latitude: number | null;
+            /** @enum {string} */
+            link: "live" | "suspect" | "lost" | "ended";
+            /** Format: double */
+            longitude: number | null;
+            mode: string | null;
+        };
+        Points: {
+            drone: string;
+            /** Format: date-time */
+            from: string;
+            points: components["schemas"]["PointView"][];
+            /** Format: date-time */
+            until: string;
+        };
+        /** @description An area of 3 to 100 corners. */
+        PolygonKeyArea: {
+            /** @description One ring of positions, the last as the first; each longitude and latitude in degrees */
+            coordinates: number[][][];
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "Polygon";
+        };
+        /** @description Keep it where nobody who runs the server can change it. */
+        ReceiptView: {
+            at?: string | null;
+            hash?: string | null;
+            /** Format: int64 */
+            sequence?: number | null;
+            signature?: string | null;
+        };
+        RecordingPage: {
+            recordings: components["schemas"]["RecordingView"][];
+            room: components["schemas"]["RecordingRoomView"];
+        };
+        RecordingRoomView: {
+            /** Format: int32 */
+            keepDays: number;
+            /** Format: int64 */
+            mostBytes: number;
+            notice: string | null;
+            /** Format: int64 */
+            removed: number;
+            /** Format: int64 */
+            usedBytes: number;
+        };
+        RecordingView: {
+            /** Format: int64 */
+            bytes: number;
+            drone: string;
+            droneName: string;
+            /** Format: int64 */
+            drops: number;
+            /** Format: date-time */
+            end: string | null;
+            /** Format: int64 */
+            frames: number;
+            id: string;
+            notice: string | null;
+            /** Format: double */
+            seconds: number | null;
+            /** Format: date-time */
+            start: string;
+            /** @enum {string} */
+            state: "running" | "complete" | "incomplete";
+        };
+        RegistrationAnswer: {
+            name: string;
+            /** @enum {string} */
+            role: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator";
+            /** @enum {string} */
+            state: "active" | "waiting";
+        };
+        RegistrationPolicy: {
+            /** @enum {string} */
+            policy: "approval" | "invitation" | "off";
+            signInWith: string | null;
+        };
+        RegistrationRequest: {
+            invitation?: string | null;
+            name?: string | null;
+            password?: string | null;
+        };
+        RenameRequest: {
+            name?: string | null;
+        };
+        ReplayView: {
+            /** Format: int64 */
+            brokenBytes: number;
+            /** Format: int64 */
+            brokenRuns: number;
+            drones: string[];
+            failure: string | null;
+            /** Format: int64 */
+            goodMessages: number;
+            id: string;
+            name: string;
+            /** Format: double */
+            progress: number;
+            /** Format: int64 */
+            records: number;
+            /** Format: double */
+            speed: number;
+            /** @enum {string} */
+            state: "running" | "finished" | "cancelled" | "failed";
+        };
+        Replays: {
+            replays: components["schemas"]["ReplayView"][];
+        };
+        RobotKeyRequest: {
+            drone?: string | null;
+            label?: string | null;
+            organisation?: string | null;
+            owner?: string | null;
+            /** Format: int32 */
+            systemId?: number | null;
+        };
+        RobotKeyView: {
+            connected: boolean;
+            id: string;
+            key: string | null;
+            label: string;
+            /** Format: date-time */
+            madeAt: string;
+            madeBy: string;
+            owner: string | null;
+            /** Format: int32 */
+            systemId: number;
+        };
+        RobotKeys: {
+            robotKeys: components["schemas"]["RobotKeyView"][];
+        };
+        /** @description Whether what was proposed is to be flown. */
+        RunAnswerRequest: {
+            accept: boolean;
+        };
+        /** @description A further drone, on the ground and free. */
+        RunJoinRequest: {
+            /** @description The id of the drone */
+            drone: string;
+        };
+        /** @description What befell a mission run, in order. */
+        RunJournalView: {
+            entries: components["schemas"]["JournalEntryView"][];
+            /**
+             * Format: int64
+             * @description The number to go on from; null: this was the last part
+             */
+            next: number | null;
+        };
+        RunList: {
+            runs: components["schemas"]["RunView"][];
+        };
+        /** @description Where a waypoint is from now on; what is left out stays. */
+        RunMoveRequest: {
+            /**
+             * Format: double
+             * @description metres
+             */
+            altitude?: number | null;
+            /**
+             * @description home (the default): above the highest home of the run's drones; or amsl
+             * @enum {string|null}
+             */
+            altitudeReference?: "home" | "amsl" | null;
+            /**
+             * Format: double
+             * @description degrees
+             */
+            latitude?: number | null;
+            /**
+             * Format: double
+             * @description degrees
+             */
+            longitude?: number | null;
+        };
+        /** @description Whether everything is decided again as it was written down. */
+        RunReplayView: {
+            /** @description What is decided now, or why nothing is */
+            decided: string | null;
+            /**
+             * Format: int64
+             * @description How many entries were looked at
+             */
+            entries: number;
+            /**
+             * Format: int64
+             * @description The first entry that is decided on otherwise
+             */
+            number: number | null;
+            same: boolean;
+            /** @description What was written down */
+            written: string | null;
+        };
+        /** @description A finished plan of yours that is to be flown, and how. */
+        RunStartRequest: {
+            /**
+             * @description automatic (the default): a changed plan is flown at once; askFirst: it waits for an answer, but for what is unsafe for a drone
+             * @enum {string|null}
+             */
+            mode?: "automatic" | "askFirst" | null;
+            /** @description For people, up to 60 characters; left out: Mission run */
+            name?: string | null;
+            /**
+             * @description What drones do when they no longer hear the cloud; left out: continue
+             * @enum {string|null}
+             */
+            onCloudLoss?: "continue" | "rtl" | null;
+            /** @description The id of the plan */
+            plan: string;
+            /**
+             * Format: double
+             * @description Seconds to look for a better plan when something changes, 0 to 60; left out: 2
+             */
+            searchSeconds?: number | null;
+        };
+        /** @description Further waypoints; windows count from the beginning of the run. */
+        RunWaypointsRequest: {
+            /** @description 1 to 500 */
+            waypoints: components["schemas"]["PlanWaypointRequest"][];
+        };
+        SavedMissionView: {
+            by: string;
+            /** Format: date-time */
+            changedAt: string;
+            id: string;
+            items: components["schemas"]["MissionItemView"][];
+            name: string;
+        };
+        SensedMapView: {
+            /** Format: date-time */
+            at: string;
+            /** Format: double */
+            bottom: number;
+            /** Format: double */
+            height: number;
+            /** Format: double */
+            left: number;
+            mediaType: string;
+            /** Format: int64 */
+            number: number;
+            /** Format: double */
+            width: number;
+        };
+        SensedPictureView: {
+            /** Format: date-time */
+            at: string;
+            mediaType: string;
+            /** Format: int64 */
+            number: number;
+        };
+        SensedScanView: {
+            /** Format: double */
+            angleStep: number;
+            /** Format: date-time */
+            at: string;
+            /** Format: double */
+            firstAngle: number;
+            /** Format: int64 */
+            number: number;
+            /** @description Metres; null where nothing was met */
+            ranges: (number | null)[];
+        };
+        SensedView: {
+            map: components["schemas"]["SensedMapView"] | null;
+            picture: components["schemas"]["SensedPictureView"] | null;
+            scan: components["schemas"]["SensedScanView"] | null;
+        };
+        SeriesView: {
+            drone: string;
+            fields: components["schemas"]["FieldSeries"][];
+            /** Format: date-time */
+            from: string;
+            /** Format: double */
+            slotSeconds: number;
+            /** @description Of the first point in each slot that has any */
+            times: string[];
+            /** Format: date-time */
+            until: string;
+        };
+        SessionView: {
+            mustChangePassword: boolean;
+            name: string;
+            organisation: string | null;
+            /** @enum {string} */
+            role: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator";
+        };
+        SettingsView: {
+            phonePage: string | null;
+            publicMode: boolean;
+            /** Format: int32 */
+            streamPort: number;
+            tileAddress: string | null;
+            version: string;
+        };
+        StreamTicket: {
+            ticket: string;
+        };
+        TourEffortView: {
+            /**
+             * Format: double
+             * @description metres over the ground
+             */
+            distance: number;
+            /** Format: double */
+            seconds: number;
+        };
+        /** @description Waypoints of one drone that are to be put into a good order. */
+        TourRequest: {
+            /** @description The id of the drone */
+            drone: string;
+            /**
+             * @description hold or land: the last waypoint stays the last, since the drone ends there; returnToLaunch (left out): it ends at its home
+             * @enum {string|null}
+             */
+            ending?: "hold" | "land" | "returnToLaunch" | null;
+            /**
+             * Format: double
+             * @description Seconds to search, 0.1 to 5; left out: 1
+             */
+            seconds?: number | null;
+            /** @description 1 to 500 */
+            waypoints: components["schemas"]["PlanWaypointRequest"][];
+        };
+        TourView: {
+            after: components["schemas"]["TourEffortView"];
+            /** @description Flown as they were listed, without those that cannot be visited */
+            before: components["schemas"]["TourEffortView"];
+            /**
+             * Format: double
+             * @description How much shorter the best order may at most be, as a share; 0: this is the best
+             */
+            gap: number;
+            /** @description The waypoints' numbers in the request, from 0, in the order in which to fly them; what cannot be visited comes last */
+            order: number[];
+            /** @description What cannot be visited, and why */
+            unserved: components["schemas"]["PlanUnservedView"][];
+        };
+        TrafficView: {
+            address: string;
+            /** Format: int64 */
+            doubled: number;
+            drone: string | null;
+            /** Format: int64 */
+            dropped: number;
+            /** Format: int64 */
+            lost: number;
+            /** Format: int32 */
+            port: number;
+            /** Format: int32 */
+            queue: number;
+            /** Format: int64 */
+            received: number;
+            /** Format: int64 */
+            sent: number;
+            /** Format: int32 */
+            systemId: number;
+            transport: string;
+        };
+        UserChange: {
+            /** @enum {string|null} */
+            role?: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator" | null;
+            /** @enum {string|null} */
+            state?: "active" | "disabled" | null;
+        };
+        UserView: {
+            mustChangePassword: boolean;
+            name: string;
+            onlyGranted: boolean;
+            /** @enum {string} */
+            role: "reporter" | "viewer" | "planner" | "operator" | "supervisor" | "administrator";
+            /** @enum {string} */
+            state: "waiting" | "active" | "disabled";
+        };
+        Users: {
+            users: components["schemas"]["UserView"][];
+        };
+        VirtualDroneList: {
+            virtualDrones: components["schemas"]["VirtualDroneView"][];
+        };
+        /** @description A virtual drone as its owner writes it. */
+        VirtualDroneRequest: {
+            /** @description Its mission: perhaps a take-off, waypoints, perhaps return or land; left out: none yet */
+            items?: components["schemas"]["MissionItemRequest"][] | null;
+            name?: string | null;
+            /** @description What a drone must be to serve; left out: any that can fly the mission */
+            needs?: components["schemas"]["VirtualDroneNeedsView"] | null;
+        };
+        VirtualDroneStartRequest: {
+            /**
+             * @description what a drone does by itself when it no longer hears the cloud
+             * @enum {string|null}
+             */
+            onCloudLoss?: "continue" | "rtl" | null;
+        };
+        /** @description A vehicle that nobody has let in: nothing is sent to it but the question who it is. */
+        WaitingView: {
+            address: string;
+            autopilot: string;
+            claims: string | null;
+            firmware: string | null;
+            hardwareId: string | null;
+            id: string;
+            /** @enum {string} */
+            kind: "multicopter" | "helicopter" | "fixedWing" | "vtol" | "rover" | "boat" | "submarine" | "airship" | "unknown";
+            /** Format: date-time */
+            lastHeard: string;
+            /** Format: int32 */
+            port: number;
+            /**
+             * @description quarantined: it says that it is a drone which it does not prove to be
+             * @enum {string}
+             */
+            reason: "unknown" | "quarantined";
+            /** Format: date-time */
+            since: string;
+            /** Format: int32 */
+            systemId: number;
+            transport: string;
+            vehicle: string;
+            why: string;
+        };
+        Waitings: {
+            waiting: components["schemas"]["WaitingView"][];
+        };
+        WarehouseProspectView: {
+            /** @description The same for programs; docs/problems.md lists them */
+            code: string | null;
+            flies: boolean;
+            name: string | null;
+            owner: string | null;
+            /** Format: int32 */
+            waypoints: number;
+            why: string | null;
+        };
+        WarehouseProspectsView: {
+            inWarehouse: boolean;
+            waiting: components["schemas"]["WarehouseProspectView"][];
+        };
+        WarehouseView: {
+            drones: components["schemas"]["VirtualDroneDroneName"][];
+        };
+        ZoneCollection: {
+            features: components["schemas"]["ZoneFeature"][] | null;
+            /** @enum {string|null} */
+            type: "FeatureCollection" | null;
         };
     };
     responses: never;
@@ -2022,5 +3779,179 @@ export type WaypointItem = components['schemas']['WaypointItem'];
 export type ZoneFeature = components['schemas']['ZoneFeature'];
 export type ZoneGeometry = components['schemas']['ZoneGeometry'];
 export type ZoneProperties = components['schemas']['ZoneProperties'];
+export type AccessKeys = components['schemas']['AccessKeys'];
+export type AuditPage = components['schemas']['AuditPage'];
+export type AuditVerdictView = components['schemas']['AuditVerdictView'];
+export type AuditView = components['schemas']['AuditView'];
+export type BroadcastRequest = components['schemas']['BroadcastRequest'];
+export type BroadcastResult = components['schemas']['BroadcastResult'];
+export type BroadcastView = components['schemas']['BroadcastView'];
+export type Commands = components['schemas']['Commands'];
+export type ControlAskRequest = components['schemas']['ControlAskRequest'];
+export type ControlGrantRequest = components['schemas']['ControlGrantRequest'];
+export type ControlHandOverRequest = components['schemas']['ControlHandOverRequest'];
+export type ControlHeartbeatRequest = components['schemas']['ControlHeartbeatRequest'];
+export type ControlRefuseRequest = components['schemas']['ControlRefuseRequest'];
+export type ControlTakeOverRequest = components['schemas']['ControlTakeOverRequest'];
+export type Credentials = components['schemas']['Credentials'];
+export type Drones = components['schemas']['Drones'];
+export type DtlsKeyRequest = components['schemas']['DtlsKeyRequest'];
+export type DtlsKeyView = components['schemas']['DtlsKeyView'];
+export type DtlsKeys = components['schemas']['DtlsKeys'];
+export type EndpointCounts = components['schemas']['EndpointCounts'];
+export type EndpointPeerView = components['schemas']['EndpointPeerView'];
+export type EndpointRequest = components['schemas']['EndpointRequest'];
+export type EndpointView = components['schemas']['EndpointView'];
+export type Endpoints = components['schemas']['Endpoints'];
+export type EnrolRequest = components['schemas']['EnrolRequest'];
+export type EventGap = components['schemas']['EventGap'];
+export type EventView = components['schemas']['EventView'];
+export type Events = components['schemas']['Events'];
+export type FenceCircleView = components['schemas']['FenceCircleView'];
+export type FencePointView = components['schemas']['FencePointView'];
+export type FencePolygonView = components['schemas']['FencePolygonView'];
+export type FenceRallyPointView = components['schemas']['FenceRallyPointView'];
+export type FenceRallyView = components['schemas']['FenceRallyView'];
+export type FenceView = components['schemas']['FenceView'];
+export type FenceZoneView = components['schemas']['FenceZoneView'];
+export type FieldSeries = components['schemas']['FieldSeries'];
+export type FleetRequest = components['schemas']['FleetRequest'];
+export type FleetView = components['schemas']['FleetView'];
+export type Fleets = components['schemas']['Fleets'];
+export type FlightChargeView = components['schemas']['FlightChargeView'];
+export type FlightNotes = components['schemas']['FlightNotes'];
+export type FlightSpotView = components['schemas']['FlightSpotView'];
+export type FlightView = components['schemas']['FlightView'];
+export type Flights = components['schemas']['Flights'];
+export type FollowList = components['schemas']['FollowList'];
+export type FollowOpenRequest = components['schemas']['FollowOpenRequest'];
+export type FollowPlaceRequest = components['schemas']['FollowPlaceRequest'];
+export type FollowPositionsRequest = components['schemas']['FollowPositionsRequest'];
+export type FollowedEvents = components['schemas']['FollowedEvents'];
+export type GiftRequest = components['schemas']['GiftRequest'];
+export type GiftView = components['schemas']['GiftView'];
+export type Gifts = components['schemas']['Gifts'];
+export type GrantRequest = components['schemas']['GrantRequest'];
+export type GrantView = components['schemas']['GrantView'];
+export type Grants = components['schemas']['Grants'];
+export type GroupRequest = components['schemas']['GroupRequest'];
+export type GroupView = components['schemas']['GroupView'];
+export type Groups = components['schemas']['Groups'];
+export type HealthDetails = components['schemas']['HealthDetails'];
+export type HealthDroneCounts = components['schemas']['HealthDroneCounts'];
+export type HealthEnd = components['schemas']['HealthEnd'];
+export type HealthLastEnd = components['schemas']['HealthLastEnd'];
+export type HealthPart = components['schemas']['HealthPart'];
+export type HealthView = components['schemas']['HealthView'];
+export type HistoryView = components['schemas']['HistoryView'];
+export type InvitationView = components['schemas']['InvitationView'];
+export type Invitations = components['schemas']['Invitations'];
+export type JournalEntryView = components['schemas']['JournalEntryView'];
+export type KeyArea = components['schemas']['KeyArea'];
+export type KeyRequest = components['schemas']['KeyRequest'];
+export type KeyView = components['schemas']['KeyView'];
+export type LeftBehind = components['schemas']['LeftBehind'];
+export type LeftBehindView = components['schemas']['LeftBehindView'];
+export type LinkKeyRequest = components['schemas']['LinkKeyRequest'];
+export type LinkSecurityChangeRequest = components['schemas']['LinkSecurityChangeRequest'];
+export type LinkSecurityKey = components['schemas']['LinkSecurityKey'];
+export type LinkSecurityMessages = components['schemas']['LinkSecurityMessages'];
+export type LinkSecurityPolicyRequest = components['schemas']['LinkSecurityPolicyRequest'];
+export type LinkSecurityView = components['schemas']['LinkSecurityView'];
+export type LinkTraffic = components['schemas']['LinkTraffic'];
+export type LogView = components['schemas']['LogView'];
+export type LogsView = components['schemas']['LogsView'];
+export type MadeLinkKey = components['schemas']['MadeLinkKey'];
+export type MissionRequest = components['schemas']['MissionRequest'];
+export type Missions = components['schemas']['Missions'];
+export type NewInvitation = components['schemas']['NewInvitation'];
+export type NewUser = components['schemas']['NewUser'];
+export type NumberedEvent = components['schemas']['NumberedEvent'];
+export type OneTimePassword = components['schemas']['OneTimePassword'];
+export type OnlyGrantedRequest = components['schemas']['OnlyGrantedRequest'];
+export type OrganisationNameRequest = components['schemas']['OrganisationNameRequest'];
+export type OrganisationView = components['schemas']['OrganisationView'];
+export type Organisations = components['schemas']['Organisations'];
+export type OutletClientView = components['schemas']['OutletClientView'];
+export type OutletPortRequest = components['schemas']['OutletPortRequest'];
+export type OutletPortView = components['schemas']['OutletPortView'];
+export type OutletRefusedView = components['schemas']['OutletRefusedView'];
+export type OutletView = components['schemas']['OutletView'];
+export type OwnOutletView = components['schemas']['OwnOutletView'];
+export type ParameterValueRequest = components['schemas']['ParameterValueRequest'];
+export type ParameterView = components['schemas']['ParameterView'];
+export type ParametersDifferenceView = components['schemas']['ParametersDifferenceView'];
+export type ParametersFileView = components['schemas']['ParametersFileView'];
+export type ParametersView = components['schemas']['ParametersView'];
+export type PassphraseRequest = components['schemas']['PassphraseRequest'];
+export type PassphraseView = components['schemas']['PassphraseView'];
+export type PasswordRequest = components['schemas']['PasswordRequest'];
+export type PlanAcceptRequest = components['schemas']['PlanAcceptRequest'];
+export type PlanEarliestEndObjective = components['schemas']['PlanEarliestEndObjective'];
+export type PlanLeastDistanceObjective = components['schemas']['PlanLeastDistanceObjective'];
+export type PlanLeastEnergyObjective = components['schemas']['PlanLeastEnergyObjective'];
+export type PlanLeastTimeObjective = components['schemas']['PlanLeastTimeObjective'];
+export type PlanList = components['schemas']['PlanList'];
+export type PlanLookAtTask = components['schemas']['PlanLookAtTask'];
+export type PlanObjectiveRequest = components['schemas']['PlanObjectiveRequest'];
+export type PlanPhotoTask = components['schemas']['PlanPhotoTask'];
+export type PlanReadSensorsTask = components['schemas']['PlanReadSensorsTask'];
+export type PlanRequest = components['schemas']['PlanRequest'];
+export type PlanServoTask = components['schemas']['PlanServoTask'];
+export type PlanTaskRequest = components['schemas']['PlanTaskRequest'];
+export type PlanWaypointRequest = components['schemas']['PlanWaypointRequest'];
+export type PlanWeightedObjective = components['schemas']['PlanWeightedObjective'];
+export type PlanWindRequest = components['schemas']['PlanWindRequest'];
+export type PlanWindowRequest = components['schemas']['PlanWindowRequest'];
+export type PointKeyArea = components['schemas']['PointKeyArea'];
+export type PointView = components['schemas']['PointView'];
+export type Points = components['schemas']['Points'];
+export type PolygonKeyArea = components['schemas']['PolygonKeyArea'];
+export type ReceiptView = components['schemas']['ReceiptView'];
+export type RecordingPage = components['schemas']['RecordingPage'];
+export type RecordingRoomView = components['schemas']['RecordingRoomView'];
+export type RecordingView = components['schemas']['RecordingView'];
+export type RegistrationAnswer = components['schemas']['RegistrationAnswer'];
+export type RegistrationPolicy = components['schemas']['RegistrationPolicy'];
+export type RegistrationRequest = components['schemas']['RegistrationRequest'];
+export type RenameRequest = components['schemas']['RenameRequest'];
+export type ReplayView = components['schemas']['ReplayView'];
+export type Replays = components['schemas']['Replays'];
+export type RobotKeyRequest = components['schemas']['RobotKeyRequest'];
+export type RobotKeyView = components['schemas']['RobotKeyView'];
+export type RobotKeys = components['schemas']['RobotKeys'];
+export type RunAnswerRequest = components['schemas']['RunAnswerRequest'];
+export type RunJoinRequest = components['schemas']['RunJoinRequest'];
+export type RunJournalView = components['schemas']['RunJournalView'];
+export type RunList = components['schemas']['RunList'];
+export type RunMoveRequest = components['schemas']['RunMoveRequest'];
+export type RunReplayView = components['schemas']['RunReplayView'];
+export type RunStartRequest = components['schemas']['RunStartRequest'];
+export type RunWaypointsRequest = components['schemas']['RunWaypointsRequest'];
+export type SavedMissionView = components['schemas']['SavedMissionView'];
+export type SensedMapView = components['schemas']['SensedMapView'];
+export type SensedPictureView = components['schemas']['SensedPictureView'];
+export type SensedScanView = components['schemas']['SensedScanView'];
+export type SensedView = components['schemas']['SensedView'];
+export type SeriesView = components['schemas']['SeriesView'];
+export type SessionView = components['schemas']['SessionView'];
+export type SettingsView = components['schemas']['SettingsView'];
+export type StreamTicket = components['schemas']['StreamTicket'];
+export type TourEffortView = components['schemas']['TourEffortView'];
+export type TourRequest = components['schemas']['TourRequest'];
+export type TourView = components['schemas']['TourView'];
+export type TrafficView = components['schemas']['TrafficView'];
+export type UserChange = components['schemas']['UserChange'];
+export type UserView = components['schemas']['UserView'];
+export type Users = components['schemas']['Users'];
+export type VirtualDroneList = components['schemas']['VirtualDroneList'];
+export type VirtualDroneRequest = components['schemas']['VirtualDroneRequest'];
+export type VirtualDroneStartRequest = components['schemas']['VirtualDroneStartRequest'];
+export type WaitingView = components['schemas']['WaitingView'];
+export type Waitings = components['schemas']['Waitings'];
+export type WarehouseProspectView = components['schemas']['WarehouseProspectView'];
+export type WarehouseProspectsView = components['schemas']['WarehouseProspectsView'];
+export type WarehouseView = components['schemas']['WarehouseView'];
+export type ZoneCollection = components['schemas']['ZoneCollection'];
 export type $defs = Record<string, never>;
 export type operations = Record<string, never>;

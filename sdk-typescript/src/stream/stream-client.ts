@@ -1,12 +1,31 @@
-import type { StreamMessage, StreamRequest } from './types';
+import type { StreamMessage, StreamRequest } from '../contract/schemas.js';
+import type { ProblemBody } from '../rest/problem.js';
 
-/** The part of a WebSocket that the stream uses, so that tests can play the server. */
-export interface Socket {
-  onopen: ((event: Event) => void) | null;
-  onmessage: ((event: MessageEvent) => void) | null;
-  onclose: ((event: CloseEvent) => void) | null;
+/** The part of a WebSocket that is told; that of a browser and that of the package ws are such. */
+export interface SocketHandle {
   send(text: string): void;
   close(code?: number): void;
+}
+
+export type SocketClass = new (address: string) => SocketHandle;
+
+/** The part of a WebSocket that the stream uses, so that tests can play the server. */
+export interface Socket extends SocketHandle {
+  onopen: (() => void) | null;
+  onmessage: ((event: { readonly data: unknown }) => void) | null;
+  onclose: (() => void) | null;
+  onerror: (() => void) | null;
+}
+
+/** Opens one of that class; without one, of the class that browsers and Node from version 22 on have. */
+export function openSocket(address: string, given?: SocketClass): Socket {
+  const known = given ?? (globalThis as { WebSocket?: SocketClass }).WebSocket;
+  if (known === undefined) {
+    throw new Error(
+      'This version of Node has no WebSocket: give one to connect, such as that of the package ws.',
+    );
+  }
+  return new known(address) as Socket;
 }
 
 export interface StreamListener {
@@ -17,8 +36,8 @@ export interface StreamListener {
   onDown(): void;
   /** The time of the next try, by the clock of `Timers.now`. */
   onRetryAt(at: number): void;
-  /** The server no longer knows who we are: sign in again. */
-  onUnauthorized(): void;
+  /** The server no longer knows who we are: sign in again. With its problem, where it said one on the stream. */
+  onUnauthorized(problem?: ProblemBody): void;
 }
 
 export interface Timers {
@@ -26,7 +45,7 @@ export interface Timers {
   after(milliseconds: number, action: () => void): () => void;
 }
 
-export const browserTimers: Timers = {
+export const systemTimers: Timers = {
   now: () => performance.now(),
   after: (milliseconds, action) => {
     const handle = setTimeout(action, milliseconds);
@@ -34,20 +53,23 @@ export const browserTimers: Timers = {
   },
 };
 
-/** The address of the stream: at the host that the page was loaded from. */
+/** The address of the stream: at the host of REST. */
 export function streamAddress(
-  { protocol, hostname }: Pick<Location, 'protocol' | 'hostname'>,
+  { protocol, hostname }: { readonly protocol: string; readonly hostname: string },
   port: number,
-  { ticket, rate }: { ticket: string; rate: number },
+  { ticket, rate }: { readonly ticket: string | null; readonly rate: number },
 ): string {
   const scheme = protocol === 'https:' ? 'wss' : 'ws';
-  return `${scheme}://${hostname}:${port}/stream?ticket=${encodeURIComponent(ticket)}&rate=${rate}`;
+  const proof = ticket === null ? '' : `ticket=${encodeURIComponent(ticket)}&`;
+  return `${scheme}://${hostname}:${port}/stream?${proof}rate=${rate}`;
 }
 
 export interface StreamOptions {
   /** Fetches a one-use ticket and answers the address to open; null when nobody is signed in. */
   address(): Promise<string | null>;
   open(address: string): Socket;
+  /** Said first on each connection, by who has no ticket; an error of status 401 is its answer then. */
+  greeting?: StreamRequest;
   timers: Timers;
 }
 
@@ -138,6 +160,12 @@ export class StreamClient {
   #listen(socket: Socket, generation: number): void {
     this.#socket = socket;
     this.#watchSilence();
+    // It is closed after that, which is heard; in Node an error that nobody listens to would end the program.
+    socket.onerror = () => undefined;
+    const { greeting } = this.#options;
+    if (greeting !== undefined) {
+      socket.onopen = () => socket.send(JSON.stringify(greeting));
+    }
     socket.onmessage = (event) => {
       if (generation === this.#generation) {
         this.#receive(String(event.data));
@@ -160,6 +188,10 @@ export class StreamClient {
       console.warn('The stream sent a message that is no JSON.');
       return;
     }
+    if (!this.#up && this.#options.greeting !== undefined && message.type === 'error') {
+      this.#refused(message.problem);
+      return;
+    }
     if (!this.#up) {
       this.#up = true;
       this.#down = false;
@@ -171,6 +203,16 @@ export class StreamClient {
       this.#deadAfter = DEAD_MILLISECONDS;
     }
     this.#listener.onMessage(message);
+  }
+
+  /** Any other problem than that of the proof is over some time. */
+  #refused(problem: ProblemBody): void {
+    if (problem.status === 401) {
+      this.stop();
+      this.#listener.onUnauthorized(problem);
+    } else {
+      this.#fail();
+    }
   }
 
   #watchSilence(): void {
@@ -220,6 +262,7 @@ export class StreamClient {
     const socket = this.#socket;
     this.#socket = null;
     if (socket !== null) {
+      socket.onopen = null;
       socket.onclose = null;
       socket.onmessage = null;
       socket.close(code);
