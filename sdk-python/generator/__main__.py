@@ -7,7 +7,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from generator.openness import in_pythons_way, opened
+from generator.openness import in_pythons_way, opened, without_bounds
 from generator.operations import awaited, operations_of, plain
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -71,7 +71,7 @@ def written() -> dict[Path, str]:
     operations = operations_of(description)
     package = ROOT / "dronemap"
     return {
-        package / "contract" / "models.py": formatted(models(in_pythons_way(opened(description)))),
+        package / "contract" / "models.py": formatted(models(in_pythons_way(opened(without_bounds(description))))),
         package / "contract" / "operations.py": formatted(awaited(operations)),
         package / "sync" / "operations.py": formatted(plain(operations)),
     }

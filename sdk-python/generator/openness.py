@@ -31,6 +31,23 @@ def opened(description: Schema) -> Schema:
     return loose
 
 
+_BOUNDS = ("minimum", "maximum", "minLength", "maxLength", "minItems", "maxItems", "pattern")
+
+
+def without_bounds(description: Schema) -> Schema:
+    """The description with bounds told in words: the server alone judges them, in the same sentence for everybody."""
+    told = deepcopy(description)
+    for schema in told["components"]["schemas"].values():
+        for member in schema.get("properties", {}).values():
+            least, most = member.get("minimum"), member.get("maximum")
+            if least is not None and most is not None and f"{least:g} to {most:g}" not in member.get("description", ""):
+                words = member.get("description", "").rstrip(".")
+                member["description"] = f"{words}, {least:g} to {most:g}" if words else f"{least:g} to {most:g}"
+            for bound in _BOUNDS:
+                member.pop(bound, None)
+    return told
+
+
 def in_pythons_way(description: Schema) -> Schema:
     """The description with members called as in Python wherever their names on the wire follow from that."""
     renamed = deepcopy(description)

@@ -26,7 +26,7 @@ class ArmCommand(Model):
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
@@ -72,7 +72,7 @@ class ClearMissionCommand(Model):
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
@@ -90,7 +90,7 @@ class CommandOutcomeView(Model):
 
 
 class CommandParameterRequest(Model):
-    name: Annotated[str | None, Field(pattern="^[A-Za-z0-9_.-]{1,16}$")] = None
+    name: str | None = None
     value: float | None = None
 
 
@@ -166,7 +166,7 @@ class ControlAskRequest(Model):
     Asks the holder for control.
     """
 
-    reason: Annotated[str | None, Field(max_length=200, min_length=0)] = None
+    reason: str | None = None
     """
     For the holder: at most 200 characters
     """
@@ -216,7 +216,7 @@ class ControlRefuseRequest(Model):
     Keeps control from somebody who asks for it.
     """
 
-    reason: Annotated[str | None, Field(max_length=200, min_length=0)] = None
+    reason: str | None = None
     """
     For that user: at most 200 characters
     """
@@ -231,7 +231,7 @@ class ControlTakeOverRequest(Model):
     Takes control from whoever has it.
     """
 
-    reason: Annotated[str, Field(max_length=200, min_length=1)]
+    reason: str
     """
     For all who see the drone: 1 to 200 characters
     """
@@ -280,7 +280,7 @@ class DisarmCommand(Model):
     """
     Even in the air
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
@@ -377,7 +377,7 @@ class DroneSensedNumbersView(Model):
 
 class DtlsKeyRequest(Model):
     drone: str | None = None
-    label: Annotated[str | None, Field(max_length=60, min_length=1)] = None
+    label: str | None = None
 
 
 class DtlsKeyView(Model):
@@ -402,7 +402,7 @@ class EmergencyStopCommand(Model):
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
@@ -457,7 +457,7 @@ class Endpoints(Model):
 
 
 class EnrolRequest(Model):
-    name: Annotated[str | None, Field(max_length=60, min_length=1)] = None
+    name: str | None = None
     organisation: str | None = None
 
 
@@ -510,8 +510,14 @@ class Events(Model):
 
 
 class FencePointView(Model):
-    latitude: Annotated[float | None, Field(ge=-90.0, le=90.0)] = None
-    longitude: Annotated[float | None, Field(ge=-180.0, le=180.0)] = None
+    latitude: float | None = None
+    """
+    -90 to 90
+    """
+    longitude: float | None = None
+    """
+    -180 to 180
+    """
 
 
 class FencePolygonView(Model):
@@ -519,7 +525,7 @@ class FencePolygonView(Model):
     An area within corners.
     """
 
-    corners: Annotated[list[FencePointView], Field(max_length=100, min_length=3)]
+    corners: list[FencePointView]
     """
     3 to 100
     """
@@ -532,8 +538,14 @@ class FencePolygonView(Model):
 
 class FenceRallyPointView(Model):
     altitude: float | None = None
-    latitude: Annotated[float | None, Field(ge=-90.0, le=90.0)] = None
-    longitude: Annotated[float | None, Field(ge=-180.0, le=180.0)] = None
+    latitude: float | None = None
+    """
+    -90 to 90
+    """
+    longitude: float | None = None
+    """
+    -180 to 180
+    """
 
 
 class FenceRallyView(Model):
@@ -548,8 +560,8 @@ class FieldSeries(Model):
 
 
 class FleetRequest(Model):
-    drones: Annotated[list[str] | None, Field(max_length=500, min_length=0)] = None
-    name: Annotated[str | None, Field(max_length=60, min_length=1)] = None
+    drones: list[str] | None = None
+    name: str | None = None
 
 
 class FleetView(Model):
@@ -569,7 +581,7 @@ class FlightChargeView(Model):
 
 
 class FlightNotes(Model):
-    notes: Annotated[str | None, Field(max_length=4000, min_length=0)] = None
+    notes: str | None = None
 
 
 class FlightSpotView(Model):
@@ -646,15 +658,15 @@ class FollowPlaceRequest(Model):
     Where the drone stays beside the phone; what is left out stays as it is.
     """
 
-    bearing: Annotated[float | None, Field(ge=-360.0, le=360.0)] = None
+    bearing: float | None = None
     """
-    degrees from north to the side where it stays, for fixed
+    degrees from north to the side where it stays, for fixed, -360 to 360
     """
-    distance: Annotated[float | None, Field(ge=0.0, le=200.0)] = None
+    distance: float | None = None
     """
     metres on the ground, 0 to 200; left out at first: 8
     """
-    height: Annotated[float | None, Field(ge=5.0, le=120.0)] = None
+    height: float | None = None
     """
     metres above the drone's home, 5 to 120; left out at first: 15
     """
@@ -662,7 +674,7 @@ class FollowPlaceRequest(Model):
     """
     left out at first: behind
     """
-    turn: Annotated[float | None, Field(ge=-30.0, le=30.0)] = None
+    turn: float | None = None
     """
     degrees a second clockwise, -30 to 30, for orbit
     """
@@ -698,31 +710,31 @@ class FollowPositionRequest(Model):
     Where the phone was once.
     """
 
-    accuracy: Annotated[float | None, Field(ge=0.0, le=100000.0)] = None
+    accuracy: float | None = None
     """
-    metres: it is within them in two cases of three; left out: 10. Above 50 the position leads no drone
+    metres: it is within them in two cases of three; left out: 10. Above 50 the position leads no drone, 0 to 100000
     """
     at: AwareDatetime
     """
     When the phone was there; not more than 60 s after sent
     """
-    course: Annotated[float | None, Field(ge=-360.0, le=360.0)] = None
+    course: float | None = None
     """
     degrees clockwise from north, -360 to 360; counts with a speed
     """
-    id: Annotated[int | None, Field(ge=0, le=9007199254740991)] = None
+    id: int | None = None
     """
-    Rises from one to the next as long as the follow lasts, so that a position that is said twice counts once; left out: milliseconds of its time
+    Rises from one to the next as long as the follow lasts, so that a position that is said twice counts once; left out: milliseconds of its time, 0 to 9.0072e+15
     """
-    latitude: Annotated[float, Field(ge=-90.0, le=90.0)]
+    latitude: float
     """
-    degrees
+    degrees, -90 to 90
     """
-    longitude: Annotated[float, Field(ge=-180.0, le=180.0)]
+    longitude: float
     """
-    degrees
+    degrees, -180 to 180
     """
-    speed: Annotated[float | None, Field(ge=0.0, le=100.0)] = None
+    speed: float | None = None
     """
     m/s over the ground, 0 to 100; counts with a course
     """
@@ -733,13 +745,13 @@ class FollowPositionsRequest(Model):
     Where the phone was, oldest first. Times are by its own clock.
     """
 
-    positions: Annotated[list[FollowPositionRequest], Field(max_length=60, min_length=0)]
+    positions: list[FollowPositionRequest]
     """
     Up to 60. None: the phone is there, and does not know where it is
     """
-    round_trip: Annotated[float | None, Field(ge=0.0, le=60000.0)] = None
+    round_trip: float | None = None
     """
-    Milliseconds from sending one to its answer, as measured lately
+    Milliseconds from sending one to its answer, as measured lately, 0 to 60000
     """
     sent: AwareDatetime
     """
@@ -817,9 +829,9 @@ class GoToCommand(Model):
     Fly to a place and stay there.
     """
 
-    altitude: Annotated[float, Field(ge=-500.0, le=10000.0)]
+    altitude: float
     """
-    Metres
+    Metres, -500 to 10000
     """
     altitude_reference: Literal["home", "amsl"] | None = None
     """
@@ -829,17 +841,17 @@ class GoToCommand(Model):
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
-    latitude: Annotated[float, Field(ge=-90.0, le=90.0)]
+    latitude: float
     """
-    Degrees
+    Degrees, -90 to 90
     """
-    longitude: Annotated[float, Field(ge=-180.0, le=180.0)]
+    longitude: float
     """
-    Degrees
+    Degrees, -180 to 180
     """
     type: Literal["goTo"] = "goTo"
 
@@ -853,18 +865,18 @@ class GoToLocalCommand(Model):
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
     type: Literal["goToLocal"] = "goToLocal"
-    x: Annotated[float, Field(ge=-100000.0, le=100000.0)]
+    x: float
     """
-    Metres along the x axis of that map
+    Metres along the x axis of that map, -100000 to 100000
     """
-    y: Annotated[float, Field(ge=-100000.0, le=100000.0)]
+    y: float
     """
-    Metres along the y axis of that map
+    Metres along the y axis of that map, -100000 to 100000
     """
 
 
@@ -901,8 +913,8 @@ class Grants(Model):
 
 
 class GroupRequest(Model):
-    members: Annotated[list[str] | None, Field(max_length=500, min_length=0)] = None
-    name: Annotated[str | None, Field(max_length=60, min_length=1)] = None
+    members: list[str] | None = None
+    name: str | None = None
 
 
 class GroupView(Model):
@@ -990,7 +1002,7 @@ class HoldCommand(Model):
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
@@ -1035,7 +1047,7 @@ class LandCommand(Model):
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
@@ -1137,13 +1149,13 @@ class LookAtItem(Model):
     """
     home (the default) or amsl
     """
-    latitude: Annotated[float, Field(ge=-90.0, le=90.0)]
+    latitude: float
     """
-    Degrees
+    Degrees, -90 to 90
     """
-    longitude: Annotated[float, Field(ge=-180.0, le=180.0)]
+    longitude: float
     """
-    Degrees
+    Degrees, -180 to 180
     """
     type: Literal["lookAt"] = "lookAt"
 
@@ -1154,15 +1166,18 @@ class MadeLinkKey(Model):
 
 
 class NewInvitation(Model):
-    days: Annotated[int | None, Field(ge=1, le=30)] = None
-    label: Annotated[str | None, Field(max_length=60, min_length=1)] = None
+    days: int | None = None
+    """
+    1 to 30
+    """
+    label: str | None = None
     organisation: str | None = None
     role: Literal["reporter", "viewer", "planner", "operator", "supervisor", "administrator"] | None = None
 
 
 class NewUser(Model):
     name: str | None = None
-    password: Annotated[str | None, Field(max_length=200, min_length=10)] = None
+    password: str | None = None
     role: Literal["reporter", "viewer", "planner", "operator", "supervisor", "administrator"] | None = None
 
 
@@ -1200,7 +1215,7 @@ class OnlyGrantedRequest(Model):
 
 
 class OrganisationNameRequest(Model):
-    name: Annotated[str | None, Field(max_length=60, min_length=1)] = None
+    name: str | None = None
 
 
 class OrganisationView(Model):
@@ -1246,7 +1261,10 @@ class OutletClientView(Model):
 
 class OutletPortRequest(Model):
     address: str | None = None
-    hours: Annotated[int | None, Field(ge=1, le=24)] = None
+    hours: int | None = None
+    """
+    1 to 24
+    """
 
 
 class OutletPortView(Model):
@@ -1350,7 +1368,7 @@ class ParametersView(Model):
 
 
 class PassphraseRequest(Model):
-    passphrase: Annotated[str | None, Field(max_length=64, min_length=16)] = None
+    passphrase: str | None = None
     """
     16 to 64 printable ASCII characters, without blanks at the ends
     """
@@ -1362,7 +1380,7 @@ class PassphraseView(Model):
 
 class PasswordRequest(Model):
     current: str | None = None
-    next: Annotated[str | None, Field(max_length=200, min_length=10)] = None
+    next: str | None = None
 
 
 class PauseMissionCommand(Model):
@@ -1374,7 +1392,7 @@ class PauseMissionCommand(Model):
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
@@ -1477,17 +1495,17 @@ class PlanLookAtTask(Model):
     Camera and nose point to a place.
     """
 
-    altitude: Annotated[float, Field(ge=-500.0, le=10000.0)]
+    altitude: float
     """
-    Metres; as of what is said by the waypoint's altitudeReference
+    Metres; as of what is said by the waypoint's altitudeReference, -500 to 10000
     """
-    latitude: Annotated[float, Field(ge=-90.0, le=90.0)]
+    latitude: float
     """
-    Degrees
+    Degrees, -90 to 90
     """
-    longitude: Annotated[float, Field(ge=-180.0, le=180.0)]
+    longitude: float
     """
-    Degrees
+    Degrees, -180 to 180
     """
     type: Literal["lookAt"] = "lookAt"
 
@@ -1540,7 +1558,7 @@ class PlanReadSensorsTask(Model):
     It stays, and what its sensors tell meanwhile is kept.
     """
 
-    seconds: Annotated[float | None, Field(ge=1.0, le=3600.0)] = None
+    seconds: float | None = None
     """
     For how long in seconds, 1 to 3600; left out: 5
     """
@@ -1552,11 +1570,11 @@ class PlanServoTask(Model):
     An output of the vehicle is set.
     """
 
-    output: Annotated[int, Field(ge=1, le=32)]
+    output: int
     """
     Which output, 1 to 32
     """
-    pulse: Annotated[int, Field(ge=500, le=2500)]
+    pulse: int
     """
     Length of its pulses in microseconds, 500 to 2500
     """
@@ -1630,26 +1648,26 @@ class PlanWeightedObjective(Model):
     Whether each drone must fly; left out: drones may stay where they are
     """
     kind: Literal["weighted"] = "weighted"
-    longest_weight: Annotated[float, Field(ge=0.0, le=1000000.0)]
+    longest_weight: float
     """
-    Of the longest tour's seconds, 0 to 1000000
+    Of the longest tour's seconds, 0 to 1000000, 0 to 1e+06
     """
     measure: Literal["seconds", "meters", "joules"] | None = None
     """
     What is summed; left out: seconds
     """
-    sum_weight: Annotated[float, Field(ge=0.0, le=1000000.0)]
+    sum_weight: float
     """
-    Of the sum over all tours, 0 to 1000000; above 0 where longestWeight is 0
+    Of the sum over all tours, 0 to 1000000; above 0 where longestWeight is 0, 0 to 1e+06
     """
 
 
 class PlanWindRequest(Model):
-    from_: Annotated[float | None, Field(alias="from", ge=0.0, le=360.0)] = None
+    from_: Annotated[float | None, Field(alias="from")] = None
     """
     where it comes from: degrees clockwise from north, 0 to 360
     """
-    speed: Annotated[float | None, Field(ge=0.0, le=100.0)] = None
+    speed: float | None = None
     """
     m/s, 0 to 100
     """
@@ -1660,13 +1678,13 @@ class PlanWindowRequest(Model):
     Seconds after the start of the plan.
     """
 
-    closes: Annotated[float | None, Field(ge=0.0, le=86400.0)] = None
+    closes: float | None = None
     """
-    left out: never
+    left out: never, 0 to 86400
     """
-    opens: Annotated[float | None, Field(ge=0.0, le=86400.0)] = None
+    opens: float | None = None
     """
-    left out: 0
+    left out: 0, 0 to 86400
     """
 
 
@@ -1691,7 +1709,7 @@ class PointKeyArea(Model):
     """
     Longitude and latitude in degrees
     """
-    radius: Annotated[float, Field(ge=1.0, le=100000.0)]
+    radius: float
     """
     Metres, 1 to 100000
     """
@@ -1779,7 +1797,7 @@ class ReadHomeCommand(Model):
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
@@ -1795,7 +1813,7 @@ class ReadLogsCommand(Model):
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
@@ -1811,7 +1829,7 @@ class ReadMapCommand(Model):
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
@@ -1827,7 +1845,7 @@ class ReadParametersCommand(Model):
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
@@ -1881,11 +1899,11 @@ class RegistrationPolicy(Model):
 class RegistrationRequest(Model):
     invitation: str | None = None
     name: str | None = None
-    password: Annotated[str | None, Field(max_length=200, min_length=10)] = None
+    password: str | None = None
 
 
 class RenameRequest(Model):
-    name: Annotated[str | None, Field(max_length=60, min_length=1)] = None
+    name: str | None = None
 
 
 class ReplayView(Model):
@@ -1915,7 +1933,7 @@ class ReturnToLaunchCommand(Model):
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
@@ -1932,10 +1950,13 @@ class ReturnToLaunchItem(Model):
 
 class RobotKeyRequest(Model):
     drone: str | None = None
-    label: Annotated[str | None, Field(max_length=60, min_length=1)] = None
+    label: str | None = None
     organisation: str | None = None
-    owner: Annotated[str | None, Field(max_length=60, min_length=1)] = None
-    system_id: Annotated[int | None, Field(ge=0, le=65535)] = None
+    owner: str | None = None
+    system_id: int | None = None
+    """
+    0 to 65535
+    """
 
 
 class RobotKeyView(Model):
@@ -2053,21 +2074,21 @@ class RunMoveRequest(Model):
     Where a waypoint is from now on; what is left out stays.
     """
 
-    altitude: Annotated[float | None, Field(ge=-500.0, le=10000.0)] = None
+    altitude: float | None = None
     """
-    metres
+    metres, -500 to 10000
     """
     altitude_reference: Literal["home", "amsl"] | None = None
     """
     home (the default): above the highest home of the run's drones; or amsl
     """
-    latitude: Annotated[float | None, Field(ge=-90.0, le=90.0)] = None
+    latitude: float | None = None
     """
-    degrees
+    degrees, -90 to 90
     """
-    longitude: Annotated[float | None, Field(ge=-180.0, le=180.0)] = None
+    longitude: float | None = None
     """
-    degrees
+    degrees, -180 to 180
     """
 
 
@@ -2119,7 +2140,7 @@ class RunStartRequest(Model):
     """
     automatic (the default): a changed plan is flown at once; askFirst: it waits for an answer, but for what is unsafe for a drone
     """
-    name: Annotated[str | None, Field(max_length=60, min_length=1)] = None
+    name: str | None = None
     """
     For people, up to 60 characters; left out: Mission run
     """
@@ -2131,7 +2152,7 @@ class RunStartRequest(Model):
     """
     The id of the plan
     """
-    search_seconds: Annotated[float | None, Field(ge=0.0, le=60.0)] = None
+    search_seconds: float | None = None
     """
     Seconds to look for a better plan when something changes, 0 to 60; left out: 2
     """
@@ -2251,9 +2272,9 @@ class SetHomeCommand(Model):
     Move home; without a place to where the vehicle is.
     """
 
-    altitude: Annotated[float | None, Field(ge=-500.0, le=10000.0)] = None
+    altitude: float | None = None
     """
-    Metres
+    Metres, -500 to 10000
     """
     altitude_reference: Literal["home", "amsl"] | None = None
     """
@@ -2263,17 +2284,17 @@ class SetHomeCommand(Model):
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
-    latitude: Annotated[float | None, Field(ge=-90.0, le=90.0)] = None
+    latitude: float | None = None
     """
-    Degrees
+    Degrees, -90 to 90
     """
-    longitude: Annotated[float | None, Field(ge=-180.0, le=180.0)] = None
+    longitude: float | None = None
     """
-    Degrees
+    Degrees, -180 to 180
     """
     type: Literal["setHome"] = "setHome"
 
@@ -2287,7 +2308,7 @@ class SetModeCommand(Model):
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
@@ -2307,11 +2328,11 @@ class SetParametersCommand(Model):
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
-    parameters: Annotated[list[CommandParameterRequest], Field(max_length=10000, min_length=1)]
+    parameters: list[CommandParameterRequest]
     """
     What is to be changed
     """
@@ -2327,11 +2348,11 @@ class SetRelayCommand(Model):
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
-    relay: Annotated[int, Field(ge=0, le=15)]
+    relay: int
     """
     Which relay, 0 to 15
     """
@@ -2372,7 +2393,7 @@ class StartMissionCommand(Model):
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
@@ -2392,15 +2413,15 @@ class TakeOffCommand(Model):
     Climb straight up.
     """
 
-    altitude: Annotated[float, Field(ge=1.0, le=500.0)]
+    altitude: float
     """
-    Metres above home
+    Metres above home, 1 to 500
     """
     epoch: int | None = None
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
@@ -2436,7 +2457,7 @@ class TakePictureCommand(Model):
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
@@ -2490,15 +2511,15 @@ class TurnCommand(Model):
     Turn on the spot.
     """
 
-    degrees: Annotated[float, Field(ge=-360.0, le=360.0)]
+    degrees: float
     """
-    Degrees from where it looks now, clockwise when positive
+    Degrees from where it looks now, clockwise when positive, -360 to 360
     """
     epoch: int | None = None
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
@@ -2523,15 +2544,15 @@ class Users(Model):
 
 
 class VirtualDroneAreaView(Model):
-    latitude: Annotated[float | None, Field(ge=-90.0, le=90.0)] = None
+    latitude: float | None = None
     """
-    degrees
+    degrees, -90 to 90
     """
-    longitude: Annotated[float | None, Field(ge=-180.0, le=180.0)] = None
+    longitude: float | None = None
     """
-    degrees
+    degrees, -180 to 180
     """
-    radius: Annotated[float | None, Field(ge=1.0, le=100000.0)] = None
+    radius: float | None = None
     """
     metres, 1 to 100000
     """
@@ -2606,9 +2627,9 @@ class VirtualDroneNeedsView(Model):
     """
     names of actions
     """
-    endurance_minutes: Annotated[int | None, Field(ge=1, le=1440)] = None
+    endurance_minutes: int | None = None
     """
-    minutes in the air with what is in its battery; null: what the mission takes
+    minutes in the air with what is in its battery; null: what the mission takes, 1 to 1440
     """
     kind: (
         Literal["multicopter", "helicopter", "fixedWing", "vtol", "rover", "boat", "submarine", "airship", "unknown"]
@@ -2723,13 +2744,13 @@ class WaypointItem(Model):
     """
     Seconds to wait there, 0 to 3600 when written; left out: 0
     """
-    latitude: Annotated[float, Field(ge=-90.0, le=90.0)]
+    latitude: float
     """
-    Degrees
+    Degrees, -90 to 90
     """
-    longitude: Annotated[float, Field(ge=-180.0, le=180.0)]
+    longitude: float
     """
-    Degrees
+    Degrees, -180 to 180
     """
     type: Literal["waypoint"] = "waypoint"
 
@@ -2755,9 +2776,9 @@ class ZoneProperties(Model):
     """
     Who changed it last; given by the server
     """
-    ceiling: Annotated[float | None, Field(ge=-500.0, le=10000.0)] = None
+    ceiling: float | None = None
     """
-    metres; null: without end
+    metres; null: without end, -500 to 10000
     """
     changed_at: str | None = None
     """
@@ -2767,9 +2788,9 @@ class ZoneProperties(Model):
     """
     binds this drone; null: every drone
     """
-    floor: Annotated[float | None, Field(ge=-500.0, le=10000.0)] = None
+    floor: float | None = None
     """
-    metres; null: down to the ground
+    metres; null: down to the ground, -500 to 10000
     """
     from_: Annotated[str | None, Field(alias="from")] = None
     """
@@ -2779,12 +2800,12 @@ class ZoneProperties(Model):
     """
     exclusion: keep out, the default; inclusion: stay in
     """
-    name: Annotated[str | None, Field(max_length=80, min_length=1)] = None
+    name: str | None = None
     on_breach: Literal["hold", "returnToLaunch", "land"] | str | None = None
     """
     left out: hold
     """
-    radius: Annotated[float | None, Field(ge=1.0, le=100000.0)] = None
+    radius: float | None = None
     """
     Point: metres, 1 to 100000
     """
@@ -2859,7 +2880,7 @@ class FenceCircleView(Model):
     """
     Whether it stays in it, or out of it
     """
-    radius: Annotated[float, Field(ge=1.0, le=100000.0)]
+    radius: float
     """
     Metres, 1 to 100000
     """
@@ -2887,28 +2908,28 @@ class FollowOpenRequest(Model):
     """
     The id of a drone; left out: the best one of the warehouse is chosen
     """
-    latitude: Annotated[float, Field(ge=-90.0, le=90.0)]
+    latitude: float
     """
-    degrees
+    degrees, -90 to 90
     """
-    longitude: Annotated[float, Field(ge=-180.0, le=180.0)]
+    longitude: float
     """
-    degrees
+    degrees, -180 to 180
     """
-    minutes: Annotated[float | None, Field(ge=1.0, le=60.0)] = None
+    minutes: float | None = None
     """
     How long it shall last, 1 to 60 minutes: so much has to be in the battery; left out: 10
     """
-    name: Annotated[str | None, Field(max_length=60, min_length=1)] = None
+    name: str | None = None
     """
     For people, up to 60 characters; left out: Follow
     """
-    patience: Annotated[float | None, Field(ge=10.0, le=600.0)] = None
+    patience: float | None = None
     """
     Without positions for so many seconds the drone flies home, 10 to 600; left out: 60
     """
     place: FollowPlaceRequest | None = None
-    speed: Annotated[float | None, Field(ge=1.0, le=15.0)] = None
+    speed: float | None = None
     """
     m/s that the drone flies at most, 1 to 15; left out: 12
     """
@@ -2966,11 +2987,20 @@ An area as a geometry of GeoJSON: a Polygon, or a Point with a radius.
 class KeyRequest(Model):
     altitude_reference: Literal["home", "amsl"] | None = None
     area: KeyArea | None = None
-    ceiling: Annotated[float | None, Field(ge=-500.0, le=10000.0)] = None
-    days: Annotated[int | None, Field(ge=1, le=3650)] = None
-    drones: Annotated[list[str] | None, Field(max_length=500, min_length=1)] = None
-    floor: Annotated[float | None, Field(ge=-500.0, le=10000.0)] = None
-    label: Annotated[str | None, Field(max_length=60, min_length=1)] = None
+    ceiling: float | None = None
+    """
+    -500 to 10000
+    """
+    days: int | None = None
+    """
+    1 to 3650
+    """
+    drones: list[str] | None = None
+    floor: float | None = None
+    """
+    -500 to 10000
+    """
+    label: str | None = None
     operations: list[Literal["view", "plan", "command", "administer"]] | None = None
     role: Literal["reporter", "viewer", "planner", "operator", "supervisor", "administrator"] | None = None
 
@@ -3043,8 +3073,8 @@ One step of a mission; which members there are depends on the type.
 
 
 class MissionRequest(Model):
-    items: Annotated[list[MissionItemRequest] | None, Field(max_length=500, min_length=1)] = None
-    name: Annotated[str | None, Field(max_length=80, min_length=1)] = None
+    items: list[MissionItemRequest] | None = None
+    name: str | None = None
 
 
 PlanObjectiveRequest = TypeAliasType(
@@ -3127,39 +3157,39 @@ class PlanWaypointRequest(Model):
     A place that one drone is to visit.
     """
 
-    altitude: Annotated[float | None, Field(ge=-500.0, le=10000.0)] = None
+    altitude: float | None = None
     """
-    metres
+    metres, -500 to 10000
     """
     altitude_reference: Literal["home", "amsl"] | None = None
     """
     home (the default): above the highest home of these drones, which must lie within 20 m; or amsl
     """
-    hold_seconds: Annotated[float | None, Field(ge=0.0, le=3600.0)] = None
+    hold_seconds: float | None = None
     """
     Seconds that the drone stays there, 0 to 3600; left out: 0
     """
-    id: Annotated[str | None, Field(max_length=40, min_length=1)] = None
+    id: str | None = None
     """
     Your own name of it, up to 40 characters; left out: its number from 1
     """
-    latitude: Annotated[float | None, Field(ge=-90.0, le=90.0)] = None
+    latitude: float | None = None
     """
-    degrees
+    degrees, -90 to 90
     """
-    longitude: Annotated[float | None, Field(ge=-180.0, le=180.0)] = None
+    longitude: float | None = None
     """
-    degrees
+    degrees, -180 to 180
     """
     needs: list[str] | None = None
     """
     What a drone must be able to do for it, such as takePicture
     """
-    priority: Annotated[float | None, Field(ge=0.001, le=1000.0)] = None
+    priority: float | None = None
     """
     What leaving it out weighs beside others, 0.001 to 1000; left out: 1
     """
-    tasks: Annotated[list[PlanTaskRequest] | None, Field(max_length=10, min_length=0)] = None
+    tasks: list[PlanTaskRequest] | None = None
     """
     What is done there, in order; up to 10
     """
@@ -3225,7 +3255,7 @@ class RunWaypointsRequest(Model):
     Further waypoints; windows count from the beginning of the run.
     """
 
-    waypoints: Annotated[list[PlanWaypointRequest], Field(max_length=500, min_length=1)]
+    waypoints: list[PlanWaypointRequest]
     """
     1 to 500
     """
@@ -3252,11 +3282,11 @@ class TourRequest(Model):
     """
     hold or land: the last waypoint stays the last, since the drone ends there; returnToLaunch (left out): it ends at its home
     """
-    seconds: Annotated[float | None, Field(ge=0.1, le=5.0)] = None
+    seconds: float | None = None
     """
     Seconds to search, 0.1 to 5; left out: 1
     """
-    waypoints: Annotated[list[PlanWaypointRequest], Field(max_length=500, min_length=1)]
+    waypoints: list[PlanWaypointRequest]
     """
     1 to 500
     """
@@ -3271,11 +3301,11 @@ class UploadMissionCommand(Model):
     """
     The epoch of the control that you believe to have: refused when that has ended
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,64}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
     """
-    items: Annotated[list[MissionItemRequest], Field(max_length=500, min_length=1)]
+    items: list[MissionItemRequest]
     """
     1 to 500 items
     """
@@ -3291,7 +3321,7 @@ class VirtualDroneRequest(Model):
     """
     Its mission: perhaps a take-off, waypoints, perhaps return or land; left out: none yet
     """
-    name: Annotated[str | None, Field(max_length=60, min_length=1)] = None
+    name: str | None = None
     needs: VirtualDroneNeedsView | None = None
     """
     What a drone must be to serve; left out: any that can fly the mission
@@ -3596,7 +3626,7 @@ class PlanRequest(Model):
     Waypoints that are to be shared out among drones.
     """
 
-    drones: Annotated[list[str], Field(max_length=100, min_length=1)]
+    drones: list[str]
     """
     Ids of 1 to 100 drones that are on the ground
     """
@@ -3604,7 +3634,7 @@ class PlanRequest(Model):
     """
     What the plan is to be good at; left out: all done as early as can be
     """
-    seconds: Annotated[float | None, Field(ge=0.1, le=60.0)] = None
+    seconds: float | None = None
     """
     Seconds to search, 0.1 to 60; left out: 5
     """
@@ -3612,7 +3642,7 @@ class PlanRequest(Model):
     """
     Where the search begins; left out: 1
     """
-    waypoints: Annotated[list[PlanWaypointRequest], Field(max_length=5000, min_length=1)]
+    waypoints: list[PlanWaypointRequest]
     """
     1 to 5000
     """
@@ -3681,11 +3711,11 @@ class BroadcastRequest(Model):
     """
 
     command: CommandRequest
-    drones: Annotated[list[str], Field(examples=[["all"]], max_length=1000, min_length=1)]
+    drones: Annotated[list[str], Field(examples=[["all"]])]
     """
     Ids of the drones, or all of them by "all" alone
     """
-    id: Annotated[str | None, Field(pattern="^[A-Za-z0-9_-]{8,36}$")] = None
+    id: str | None = None
     """
     Your own id (8 to 36 of A-Z a-z 0-9 _ -): the same id twice acts once on each drone
     """
