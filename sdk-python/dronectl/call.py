@@ -50,7 +50,7 @@ def operations(context: click.Context) -> None:
     output.draw(table(("OPERATION", "COMMAND"), rows))
 
 
-@click.command(cls=Command, context_settings={"ignore_unknown_options": True})
+@click.command(cls=Command)
 @click.argument("operation", type=OperationId())
 @click.argument("parameters", metavar="[PARAMETER=VALUE]...", nargs=-1)
 @click.option("--body", type=FILE, help="File of what is sent; - is the standard input.")

@@ -51,8 +51,8 @@ class Command(click.Command):
         self.params = [*self.params, *shared_options()]
 
 
-class PlaceCommand(Command):
-    """A command whose arguments may be negative numbers, such as degrees to the south."""
+class NumbersCommand(Command):
+    """A command whose arguments may be negative numbers, such as degrees to the south, which look like options."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         ctx.ignore_unknown_options = True

@@ -6,7 +6,7 @@ from typing import Literal
 
 import click
 
-from dronectl.command import Command, PlaceCommand, connected, drone_option
+from dronectl.command import Command, NumbersCommand, connected, drone_option
 from dronectl.failure import NotSeen
 from dronectl.output import Working
 from dronectl.settings import Session
@@ -75,7 +75,7 @@ async def takeoff(session: Session, altitude: float, no_wait: bool, drone: str |
     await flies(session, flown, TakeOffCommand(altitude=altitude), reached, f"{altitude:g} m above home", "hold")
 
 
-@click.command(cls=PlaceCommand)
+@click.command(cls=NumbersCommand)
 @click.argument("latitude", type=float)
 @click.argument("longitude", type=float)
 @click.argument("altitude", type=float)
@@ -163,7 +163,7 @@ async def flies(
     further: Callable[[DroneView], str] = lambda state: "",
 ) -> None:
     """Carries out a command, and waits until the drone is where it leads; without `reached`, it does not wait."""
-    async with interruptible(session, drone, when_interrupted):
+    async with Interruptible(session, drone, when_interrupted):
         with session.output.working(f"{drone.name}: {command.type}") as working:
             view = await carried_out(session, drone, command, working)
             if reached is not None:
@@ -220,7 +220,7 @@ async def seen(
         await states.aclose()
 
 
-class interruptible:
+class Interruptible:
     """Around what makes a drone fly: says what becomes of it when the user ends dronectl on the way."""
 
     def __init__(self, session: Session, drone: AsyncDrone, when_interrupted: WhenInterrupted) -> None:

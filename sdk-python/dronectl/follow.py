@@ -5,7 +5,7 @@ from pathlib import Path
 
 import click
 
-from dronectl.command import DRONE, Group, PlaceCommand, connected
+from dronectl.command import DRONE, Group, NumbersCommand, connected
 from dronectl.failure import NotDone
 from dronectl.output import Working, table
 from dronectl.reading import FILE, fitted
@@ -40,7 +40,7 @@ async def list_follows(session: Session) -> None:
     session.output.show(answer, table(("ID", "NAME", "DRONE", "STATE", "OWNER", "NOTE"), rows))
 
 
-@follow.command("open", cls=PlaceCommand)
+@follow.command("open", cls=NumbersCommand)
 @click.argument("latitude", type=float)
 @click.argument("longitude", type=float)
 @click.option("-d", "--drone", type=DRONE, metavar="DRONE", help="Name or id; else the best of the warehouse.")
@@ -79,7 +79,7 @@ async def start(session: Session, id: str) -> None:
     _changed(session, await session.server.rest.start_follow(id))
 
 
-@follow.command(cls=PlaceCommand)
+@follow.command(cls=NumbersCommand)
 @click.argument("id")
 @click.argument("latitude", type=float)
 @click.argument("longitude", type=float)

@@ -9,7 +9,7 @@ from rich.table import Table
 
 from dronectl.command import Group, agreed, connected, drone_option, yes_option
 from dronectl.failure import NotDone
-from dronectl.flight import NO_WAIT, carried_out, interruptible, seen, told
+from dronectl.flight import NO_WAIT, Interruptible, carried_out, seen, told
 from dronectl.mission_file import read_mission
 from dronectl.output import Working, members, place, table
 from dronectl.reading import FILE
@@ -188,7 +188,7 @@ async def download(session: Session, file: Path | None, drone: str | None) -> No
 
 async def _started(session: Session, drone: AsyncDrone, on_cloud_loss: str | None, no_wait: bool) -> None:
     command = StartMissionCommand.model_validate({"on_cloud_loss": on_cloud_loss} if on_cloud_loss else {})
-    async with interruptible(session, drone, "hold"):
+    async with Interruptible(session, drone, "hold"):
         with session.output.working(f"{drone.name}: start of the mission") as working:
             if not drone.state.armed:
                 await carried_out(session, drone, ArmCommand(), working)

@@ -130,24 +130,27 @@ def _item(file: Path, step: Step, before: list[MissionItemRequest]) -> list[Miss
             return [ReturnToLaunchItem()]
         case 93:
             return [WaitItem(hold_seconds=first)]
-        case 203:
-            return [TakePhotoItem()]
-        case 2000 if step.parameters[2] == 1:
-            return [TakePhotoItem()]
         case 183:
             return [SetServoItem(output=int(first), pulse=int(second))]
+    return [_of_camera(file, step)]
+
+
+def _of_camera(file: Path, step: Step) -> MissionItemRequest:
+    match step.command:
+        case 203:
+            return TakePhotoItem()
+        case 2000 if step.parameters[2] == 1:
+            return TakePhotoItem()
         case 195 | 201:
             at = _waypoint(file, step)
-            return [
-                LookAtItem(
-                    latitude=at.latitude,
-                    longitude=at.longitude,
-                    altitude=at.altitude,
-                    altitude_reference=at.altitude_reference,
-                )
-            ]
+            return LookAtItem(
+                latitude=at.latitude,
+                longitude=at.longitude,
+                altitude=at.altitude,
+                altitude_reference=at.altitude_reference,
+            )
         case 197:
-            return [LookAheadItem()]
+            return LookAheadItem()
     raise _refused(file, step, "Dronemap has no step for it")
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import click
 from rich.table import Table
 
-from dronectl.command import Group, agreed, connected, drone_option, yes_option
+from dronectl.command import Group, NumbersCommand, agreed, connected, drone_option, yes_option
 from dronectl.failure import NotDone
 from dronectl.flight import conducted, finished
 from dronectl.output import table
@@ -52,7 +52,7 @@ async def get(session: Session, name: str, refresh: bool, drone: str | None) -> 
     raise NotDone(f"The vehicle has no parameter '{name}'{f'; it has {near}' if near else ''}.")
 
 
-@params.command("set", context_settings={"ignore_unknown_options": True})
+@params.command("set", cls=NumbersCommand)
 @click.argument("name")
 @click.argument("value", type=float)
 @drone_option

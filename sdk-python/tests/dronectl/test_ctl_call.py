@@ -130,6 +130,7 @@ def test_call_writes_bytes_as_they_are(server: FakeServer, tmp_path: Path) -> No
         ("getDrone id=d1 --body -", "takes no --body"),
         ("renameDrone id=d1", "needs --body FILE"),
         ("listDrones active=perhaps", "active"),
+        ("listDrones --fast", "No such option"),
     ],
 )
 def test_call_that_is_wrong(server: FakeServer, line: str, why: str) -> None:
