@@ -29,6 +29,7 @@ COMMANDS: dict[str, str] = {
     "downloadLog": "logs download",
     "exportParameters": "params save",
     "getCommand": "arm",
+    "followEvents": "events follow",
     "getFollow": "follow walk",
     "getLogFile": "logs download",
     "getPlan": "plan show",
