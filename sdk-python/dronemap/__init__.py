@@ -2,7 +2,7 @@
 
     from dronemap import Dronemap
 
-    with Dronemap.connect() as server, server.drone().control() as drone:
+    with Dronemap.connect() as server, server.drones()[0].control() as drone:
         drone.arm()
         drone.take_off(10)
 

@@ -51,8 +51,20 @@ def on_ground(state: DroneView) -> bool:
 
 
 def mission_over(state: DroneView) -> bool:
-    """Whether the vehicle has come to the end of its mission, or is down again."""
+    """Whether the vehicle says that it is at the end of its mission, which may be one before, or is down."""
     return state.mission.state == "complete" or (state.flight == "onGround" and not state.armed)
+
+
+def mission_flown() -> Callable[[DroneView], bool]:
+    """Whether the vehicle is at the end of its mission, or down again, after it was seen to fly it."""
+    begun = False
+
+    def over(state: DroneView) -> bool:
+        nonlocal begun
+        begun = begun or state.mission.running or state.flight in ("takingOff", "inAir")
+        return begun and mission_over(state)
+
+    return over
 
 
 async def arrived(states: AsyncIterator[DroneView], reached: Callable[[DroneView], bool], aim: str) -> DroneView:

@@ -27,7 +27,7 @@ PATIENCE_SECONDS = 15.0
 
 
 class NoSuchDrone(DronemapError):
-    """The server shows no drone of that name or id."""
+    """The server shows no drone of that name or id, or it is not clear which is meant."""
 
 
 class AsyncDronemap:
@@ -72,12 +72,14 @@ class AsyncDronemap:
         return [AsyncDrone(view, self.rest, self.stream) for view in sorted(known, key=lambda view: view.name)]
 
     async def drone(self, name: str | None = None) -> AsyncDrone:
-        """The drone of that name or id; without one, the only or first drone."""
+        """The drone of that name or id; without one, the only drone."""
         found = await self.drones()
         fitting = [drone for drone in found if name is None or name in (drone.id, drone.name)]
+        names = ", ".join(drone.name for drone in found) or "none"
         if not fitting:
-            names = ", ".join(drone.name for drone in found) or "none"
             raise NoSuchDrone(f"There is no drone '{name}'; there are: {names}." if name else "There is no drone.")
+        if len(fitting) > 1:
+            raise NoSuchDrone(f"Several drones fit ({names}): say which, by its name or id.")
         return fitting[0]
 
     def changes(self) -> Reader[DroneChange]:

@@ -5,7 +5,7 @@ from collections.abc import AsyncGenerator, Callable, Iterable
 from datetime import UTC, datetime
 from typing import Literal
 
-from dronemap.arrival import arrived, at_height, at_place, mission_over, on_ground
+from dronemap.arrival import arrived, at_height, at_place, mission_flown, on_ground
 from dronemap.command import AsyncCommand, Command, CommandGiver
 from dronemap.contract.models import (
     ArmCommand,
@@ -160,7 +160,7 @@ class AsyncDrone:
         if not self.state.armed:
             await self.arm()
         await self.start_mission()
-        await self._arrived(mission_over, "at the end of its mission")
+        await self._arrived(mission_flown(), "at the end of its mission")
 
     async def pause_mission(self) -> None:
         await self._done(PauseMissionCommand())

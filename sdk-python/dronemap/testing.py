@@ -211,6 +211,7 @@ class MockTransport:
                 ground = place | {"altitudeAboveHome": 0.0}
                 self.change(drone, armed=False, flight="onGround", position=ground)
             case "startMission":
+                self.change(drone, flight="inAir", mission={"running": True, "reached": [], "state": "running"})
                 self.change(drone, mission={"running": False, "reached": [], "state": "complete"})
             case "setMode":
                 self.change(drone, mode=body["mode"])

@@ -14,7 +14,7 @@ STEP = 0.000013
 SECONDS = 20
 
 with Dronemap.connect() as server:
-    drone = server.drone()
+    drone = server.drones()[0]
     drone.wait_for(lambda state: state.ready_to_arm is True and state.position is not None, timeout=60)
     place = drone.state.position
     assert place is not None and place.latitude is not None and place.longitude is not None

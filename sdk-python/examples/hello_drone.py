@@ -9,6 +9,6 @@ with Dronemap.connect() as server:
         state = drone.state
         battery = state.battery.percent if state.battery else None
         print(f"{drone.name}: {state.link.state}, {state.mode}, armed: {state.armed}, battery: {battery} %")
-    first = server.drone()
+    first = server.drones()[0]
     print(f"{first.name} is a {first.state.kind} with {first.state.autopilot}.")
     Path("hello.json").write_text(first.state.model_dump_json(by_alias=True, indent=2))

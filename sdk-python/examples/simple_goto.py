@@ -9,7 +9,7 @@ from pathlib import Path
 from dronemap import Dronemap
 
 with Dronemap.connect() as server:
-    drone = server.drone()
+    drone = server.drones()[0]
     drone.wait_for(lambda state: state.ready_to_arm is True and state.position is not None, timeout=60)
     begun = drone.state.last_update
     home = drone.state.position

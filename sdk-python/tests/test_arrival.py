@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from dronemap import Interrupted, models
-from dronemap.arrival import arrived, at_height, at_place, meters_between, mission_over, on_ground
+from dronemap.arrival import arrived, at_height, at_place, meters_between, mission_flown, on_ground
 from dronemap.testing import MockTransport
 
 PLACE = {"latitude": 47.4, "longitude": 8.5, "altitudeAmsl": 500.0, "altitudeAboveHome": 20.0}
@@ -68,8 +68,16 @@ def test_drone_that_comes_down_does_not_arrive() -> None:
         _aim(state(), state(flight="onGround"))
 
 
-def test_end_of_a_mission() -> None:
-    assert mission_over(state(mission={"running": False, "reached": [], "state": "complete"}))
-    assert mission_over(state(flight="onGround", armed=False))
-    assert not mission_over(state(mission={"running": True, "reached": [], "state": "running"}))
+def test_end_of_a_mission_is_one_that_was_begun() -> None:
+    over = mission_flown()
+    complete = {"running": False, "reached": [], "state": "complete"}
+    assert not over(state(flight="onGround", armed=False, mission=complete))
+    assert not over(state(mission={"running": True, "reached": [], "state": "running"}))
+    assert over(state(mission=complete))
+    over = mission_flown()
+    assert not over(state())
+    assert over(state(flight="onGround", armed=False))
+
+
+def test_ground() -> None:
     assert on_ground(state(flight="onGround"))

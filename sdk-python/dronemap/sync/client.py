@@ -62,7 +62,7 @@ class Dronemap:
         return [Drone(self._loop, drone) for drone in self._loop.run(self._awaited.drones())]
 
     def drone(self, name: str | None = None) -> Drone:
-        """The drone of that name or id; without one, the only or first drone."""
+        """The drone of that name or id; without one, the only drone."""
         return Drone(self._loop, self._loop.run(self._awaited.drone(name)))
 
     def changes(self) -> Iterator[DroneChange]:
