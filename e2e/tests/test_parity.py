@@ -1,0 +1,164 @@
+"""The same flight by every face: what is said, what the drone does and what is recorded are the same."""
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from dronemap_e2e.api import Api, Json
+from dronemap_e2e.faces import (
+    SUCCEEDED,
+    CommandLineFace,
+    Face,
+    PythonFace,
+    RestFace,
+    Said,
+    SoapFace,
+    StreamFace,
+    TypeScriptFace,
+)
+from dronemap_e2e.flight import items, triangle
+from dronemap_e2e.ground_station import new_user
+from dronemap_e2e.server import Server
+from dronemap_e2e.vehicles import Vehicles
+from dronemap_e2e.waiting import wait_for
+
+FACES: dict[str, Callable[[Server, str, Path], Face]] = {
+    "REST": lambda server, key, folder: RestFace(server, key),
+    "SOAP": lambda server, key, folder: SoapFace(server, key),
+    "stream": lambda server, key, folder: StreamFace(server, key),
+    "Python": lambda server, key, folder: PythonFace(server, key),
+    "TypeScript": lambda server, key, folder: TypeScriptFace(server, key),
+    "dronectl": CommandLineFace,
+}
+
+
+@dataclass
+class Flown:
+    """All that one flight said, showed and left in the record."""
+
+    seen: list[str] = field(default_factory=list)
+    said: dict[str, Said] = field(default_factory=dict)
+    control: list[Any] = field(default_factory=list)
+    states: list[Any] = field(default_factory=list)
+    recorded: list[Any] = field(default_factory=list)
+
+
+@pytest.fixture(scope="module")
+def rest(server: Server, api: Api, vehicles: Vehicles, tmp_path_factory: pytest.TempPathFactory) -> Flown:
+    """What the others are compared with."""
+    return flight("REST", server, api, vehicles, tmp_path_factory.mktemp("rest"))
+
+
+@pytest.fixture(params=[name for name in FACES if name != "REST"])
+def other(
+    request: pytest.FixtureRequest, server: Server, api: Api, vehicles: Vehicles, tmp_path: Path
+) -> Iterator[Flown]:
+    yield flight(request.param, server, api, vehicles, tmp_path)
+
+
+def flight(name: str, server: Server, api: Api, vehicles: Vehicles, folder: Path) -> Flown:
+    system_id = vehicles.wake_next()
+    drone = wait_for("the copter is ready", lambda: api.ready(system_id), 90)
+    pilot = new_user(server, api, "operator")
+    assert api.call("PUT", f"/users/{pilot.name}/only-granted", {"onlyGranted": True}).status_code == 204
+    may = {"user": pilot.name, "drones": [drone["id"]]}
+    assert api.call("POST", "/grants", may | {"operations": ["view"]}).status_code == 201
+    granted = api.call("POST", "/grants", may | {"operations": ["command"]})
+    face = FACES[name](server, pilot.api.new_key("parity", "operator"), folder)
+    flown = Flown()
+    try:
+        fly(face, api, drone, flown, granted.json()["id"])
+    finally:
+        face.close()
+        vehicles.silence(system_id)
+    flown.recorded = recorded(api, drone, pilot.name)
+    flown.said = {step: nameless(said, drone, pilot.name) for step, said in flown.said.items()}
+    return flown
+
+
+def fly(face: Face, api: Api, drone: Json, flown: Flown, grant: str) -> None:
+    """List, control, arm, take off, mission, return, a refusal, bad input, a revoked grant."""
+    id = drone["id"]
+    flown.seen = ["this drone" if each == id else each for each in face.drones()]
+    for operation in ("takeControl", "releaseControl"):
+        told = face.control(id, operation)
+        flown.control.append((told["state"], told["explicit"], told["holder"] is None))
+    flown.said["arm"] = face.command(id, {"type": "arm"})
+    flown.said["take off"] = face.command(id, {"type": "takeOff", "altitude": 8.0})
+    wait_for("it hovers", lambda: api.drone(id)["position"]["altitudeAboveHome"] > 7, 60)
+    flown.states.append(state(api, id))
+    flown.said["refusal"] = face.command(id, {"type": "takeOff", "altitude": 8.0})
+    bad = {"type": "goTo", "latitude": 91.0, "longitude": 8.5, "altitude": 10.0}
+    flown.said["bad input"] = face.command(id, bad)
+    points = items(triangle(drone["home"]))
+    flown.said["upload"] = face.command(id, {"type": "uploadMission", "items": points})
+    flown.said["start"] = face.command(id, {"type": "startMission"})
+    assert flown.said["start"] == SUCCEEDED, flown.said
+    last = len(api.drone(id)["mission"]["items"]) - 1
+    wait_for("the last waypoint is reached", lambda: last in api.drone(id)["mission"]["reached"], 120)
+    flown.states.append(state(api, id))
+    flown.said["return"] = face.command(id, {"type": "returnToLaunch"})
+    wait_for("it landed and disarmed", lambda: api.drone(id)["armed"] is False, 120)
+    flown.states.append(state(api, id))
+    assert api.call("DELETE", f"/grants/{grant}").status_code == 204
+    flown.said["revoked"] = face.command(id, {"type": "takeOff", "altitude": 8.0})
+
+
+def state(api: Api, id: str) -> tuple[Any, ...]:
+    now = api.drone(id)
+    return (now["armed"], now["flight"], now["mode"], now["mission"]["total"], now["control"]["state"])
+
+
+def recorded(api: Api, drone: Json, user: str) -> list[Any]:
+    """The user's records about this drone in their order, without what belongs to one flight alone."""
+    records = api.get(f"/audit?drone={drone['id']}&user={user}&limit=200")["records"]
+    return [
+        (
+            record["operation"],
+            record["outcome"],
+            *nameless((record["reason"], parameters(record["parameters"])), drone, user),
+        )
+        for record in sorted(records, key=lambda record: record["sequence"])
+    ]
+
+
+def parameters(text: str) -> str:
+    """Without the id that each client makes for its commands, and without each drone's own places."""
+    return re.sub(r"[-\d.]{4,}", "N", re.sub(r'"?\bid"?[=:] ?"?[\w-]{8,64}"?,? ?', "", text))
+
+
+def nameless(said: tuple[Any, ...], drone: Json, user: str) -> tuple[Any, ...]:
+    def plain(text: Any) -> Any:
+        if not isinstance(text, str):
+            return text
+        return text.replace(drone["name"], "DRONE").replace(drone["id"], "ID").replace(user, "PILOT")
+
+    return tuple(plain(part) for part in said)
+
+
+def test_flight_by_rest_goes_as_it_should(rest: Flown) -> None:
+    """End to end because a client of each face's own flies a copter of its own."""
+    assert rest.seen == ["this drone"]
+    assert rest.control == [("held", True, False), ("free", False, True)]
+    for step in ("arm", "take off", "upload", "start", "return"):
+        assert rest.said[step] == SUCCEEDED, step
+    assert rest.said["refusal"][:3] == ("refused", "gate", "drone-airborne")
+    assert rest.said["bad input"][4] == "latitude"
+    assert rest.said["revoked"][2]
+    assert [armed for armed, *_ in rest.states] == [True, True, False]
+    assert len(rest.recorded) >= 9
+
+
+def test_another_face_says_does_and_records_the_same(rest: Flown, other: Flown) -> None:
+    """End to end because a client of each face's own flies a copter of its own."""
+    assert other.seen == rest.seen
+    assert other.control == rest.control
+    for step, said in other.said.items():
+        # dronectl names no field of its own.
+        assert said == rest.said[step][: len(said)], step
+    assert other.states == rest.states
+    assert other.recorded == rest.recorded
