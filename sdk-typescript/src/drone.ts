@@ -3,6 +3,7 @@ import type { RestOperations } from './contract/operations.js';
 import { give, type GiveOptions } from './command/give.js';
 import { errorOf } from './command/command-error.js';
 import { GivenCommand } from './command/given-command.js';
+import { sentenceFor } from './rest/problem.js';
 import { Control, type ControlOptions } from './control/control.js';
 import type { Timers } from './stream/stream-client.js';
 import { Deadline } from './timing.js';
@@ -104,11 +105,15 @@ export class Drone {
       return this.#take(first);
     }
     const control = await this.#take(options);
-    try {
-      return await first(control);
-    } finally {
-      await control.end();
-    }
+    const work = async (): Promise<T> => first(control);
+    const result = await work().catch(async (thrown: unknown) => {
+      await control.end().catch((other: unknown) => {
+        throw new AggregateError([thrown, other], `${sentenceFor(thrown)} After that: ${sentenceFor(other)}`);
+      });
+      throw thrown;
+    });
+    await control.end();
+    return result;
   }
 
   async #take(options: ControlOptions): Promise<Control> {

@@ -95,6 +95,27 @@ describe('control of a drone', () => {
     expect(all.server.control.state).toBe('free');
   });
 
+  it('that ends on a line that breaks brings the drone home all the same', async () => {
+    ending('succeeded');
+    all.server.setDrone({ armed: true, flight: 'inAir' });
+    const control = await all.drone.control();
+    all.server.faults.set('GET /api/v1/drones/d1', ['request lost', 'answer lost']);
+    all.server.faults.set('POST /api/v1/drones/d1/commands', ['answer lost']);
+    await control.end();
+    expect(new Set(commanded().map(String))).toEqual(new Set(['returnToLaunch,1']));
+    expect(all.server.commands.size).toBe(1);
+    expect(all.server.control.state).toBe('free');
+  });
+
+  it('tells both, why the work failed and why the drone does not come home', async () => {
+    ending('failed');
+    all.server.setDrone({ armed: true, flight: 'inAir' });
+    const fails = all.drone.control(() => {
+      throw new Error('No pictures.');
+    });
+    await expect(fails).rejects.toThrow('No pictures. After that: “returnToLaunch” failed.');
+  });
+
   it('that somebody took over is lost, and nothing is sent to the drone at its end', async () => {
     all.server.setDrone({ armed: true, flight: 'inAir' });
     const control = await all.drone.control();
