@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { CommandOutcomeView } from '../contract/schemas.js';
-import { Failed } from '../command/command-error.js';
+import { Failed, Refused } from '../command/command-error.js';
 import { connected, until } from '../testing/connected.js';
 import { ControlLost } from './control.js';
 
@@ -135,6 +135,21 @@ describe('control of a drone', () => {
     await until(() => expect(control.epoch).toBe(7));
     expect(control.signal.aborted).toBe(false);
     await control.end();
+  });
+
+  it('is renewed for a command that a restarted server refuses by its old epoch', async () => {
+    const control = await all.drone.control();
+    all.server.control = { ...all.server.control, epoch: 7 };
+    await all.drone.command({ type: 'land' });
+    expect(commanded().at(-1)).toEqual(['land', 7]);
+    await control.end();
+  });
+
+  it('that has ended is not renewed for a command that names it', async () => {
+    await all.drone.control();
+    all.server.control = { ...all.server.control, holder: 'mia', epoch: 2 };
+    await expect(all.drone.command({ type: 'land' })).rejects.toBeInstanceOf(Refused);
+    expect(all.server.commands.size).toBe(0);
   });
 
   it('is refused with the reason while somebody else has it', async () => {

@@ -83,6 +83,13 @@ export class Control implements AsyncDisposable {
     return this.#lost.signal;
   }
 
+  /** Asks for the epoch; true: it is another one than before. */
+  async renew(): Promise<boolean> {
+    const before = this.#epoch;
+    await this.#heartbeat();
+    return this.#epoch !== before;
+  }
+
   /** Does with a drone in the air what was agreed, and gives control back. Once, however often it is called. */
   end(): Promise<void> {
     this.#ending ??= this.#end();
