@@ -181,7 +181,7 @@ suite_typescript_checks() {
     check typescript types env -C "$ROOT/web-client" CI=true npm run check
     check typescript "lint sdk-typescript" in_typescript sdk-typescript npm run lint
     check typescript "types sdk-typescript" in_typescript sdk-typescript npm run check
-    check typescript "build sdk-typescript" in_typescript sdk-typescript npm run build
+    check typescript "package sdk-typescript" in_typescript sdk-typescript npm run package
 }
 
 # The client's packages are for its checks and tests alone: what builds the page needs none of them.

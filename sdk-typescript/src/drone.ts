@@ -1,8 +1,9 @@
 import type { CommandRequest, DroneView } from './contract/schemas.js';
 import type { RestOperations } from './contract/operations.js';
 import { give, type GiveOptions } from './command/give.js';
-import { errorOf } from './command/command-error.js';
+import { errorOf, Refused } from './command/command-error.js';
 import { GivenCommand } from './command/given-command.js';
+import { sentenceFor } from './rest/problem.js';
 import { Control, type ControlOptions } from './control/control.js';
 import type { Timers } from './stream/stream-client.js';
 import { Deadline } from './timing.js';
@@ -84,8 +85,22 @@ export class Drone {
    * @throws Refused when the gate refuses it, OutcomeUnknown when whether it was taken is not known, else Problem
    */
   async command(request: CommandRequest, { id, ...options }: CommandOptions = {}): Promise<GivenCommand> {
+    const control = this.#control;
+    try {
+      return await this.#give(request, id ?? newUuid(), options);
+    } catch (thrown) {
+      // A server that was restarted has given the control another epoch, which it tells with a heartbeat.
+      const mayBeRenewed = thrown instanceof Refused && thrown.code === 'control-ended' && id === undefined;
+      if (mayBeRenewed && (await control?.renew()) === true) {
+        return this.#give(request, newUuid(), options);
+      }
+      throw thrown;
+    }
+  }
+
+  async #give(request: CommandRequest, id: string, options: GiveOptions): Promise<GivenCommand> {
     const held = this.#control === null ? {} : { epoch: this.#control.epoch };
-    const view = await give(this.#ports, this.id, { ...held, ...request, id: id ?? newUuid() }, options);
+    const view = await give(this.#ports, this.id, { ...held, ...request, id }, options);
     const error = view.outcome?.result === 'refused' ? errorOf(view, view.outcome) : null;
     if (error !== null) {
       throw error;
@@ -104,11 +119,15 @@ export class Drone {
       return this.#take(first);
     }
     const control = await this.#take(options);
-    try {
-      return await first(control);
-    } finally {
-      await control.end();
-    }
+    const work = async (): Promise<T> => first(control);
+    const result = await work().catch(async (thrown: unknown) => {
+      await control.end().catch((other: unknown) => {
+        throw new AggregateError([thrown, other], `${sentenceFor(thrown)} After that: ${sentenceFor(other)}`);
+      });
+      throw thrown;
+    });
+    await control.end();
+    return result;
   }
 
   async #take(options: ControlOptions): Promise<Control> {

@@ -43,7 +43,7 @@ export class Dronemap implements AsyncDisposable {
   /** @throws Problem when the key or session is none, or the server cannot be reached */
   static async connect(options: ConnectOptions): Promise<Dronemap> {
     const { fetch, WebSocket: socketClass, timers = systemTimers, signal } = options;
-    const url = options.url ?? globalThis.location.origin;
+    const url = options.url ?? ownOrigin();
     const key = 'key' in options ? options.key : undefined;
     const client = new RestClient({ url, key, fetch });
     const rest = client.operations;
@@ -110,4 +110,13 @@ export class Dronemap implements AsyncDisposable {
   #of(drone: Pick<Drone, 'id' | 'name'>): Drone {
     return new Drone(drone, { rest: this.rest, stream: this.#stream, timers: this.#timers });
   }
+}
+
+/** Where the page came from. */
+function ownOrigin(): string {
+  const { location } = globalThis as { location?: { readonly origin: string } };
+  if (location === undefined) {
+    throw new Error('Only a page may leave out the url: say where the server is.');
+  }
+  return location.origin;
 }

@@ -1,6 +1,6 @@
 import type { CommandRequest, CommandView } from '../contract/schemas.js';
 import type { RestOperations } from '../contract/operations.js';
-import { Patience } from '../rest/patience.js';
+import { persistently } from '../rest/patience.js';
 import { Problem } from '../rest/problem.js';
 import type { Timers } from '../stream/stream-client.js';
 import { OutcomeUnknown, Refused } from './command-error.js';
@@ -29,21 +29,20 @@ export async function give(
   request: IdentifiedRequest,
   { signal, timeout = PATIENCE_MILLISECONDS }: GiveOptions,
 ): Promise<CommandView> {
-  const end = timers.now() + timeout;
   let perhapsGiven = false;
-  const patience = new Patience(timers);
-  for (;;) {
+  const attempt = async (): Promise<CommandView> => {
     try {
       return await rest.giveCommand({ id: drone }, request, { signal, timeout: ANSWER_MILLISECONDS });
     } catch (thrown) {
       const problem = asRefusal(thrown);
       perhapsGiven ||= problem.status === 0;
-      const wait = patience.afterProblem(problem);
-      if (!problem.mayPass || timers.now() + wait > end) {
-        throw perhapsGiven ? unknown(request, problem) : problem;
-      }
-      await patience.wait(wait, signal);
+      throw problem;
     }
+  };
+  try {
+    return await persistently(timers, timeout, signal, attempt);
+  } catch (thrown) {
+    throw perhapsGiven && thrown instanceof Problem ? unknown(request, thrown) : thrown;
   }
 }
 

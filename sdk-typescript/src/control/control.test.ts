@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { CommandOutcomeView } from '../contract/schemas.js';
-import { Failed } from '../command/command-error.js';
+import { Failed, Refused } from '../command/command-error.js';
 import { connected, until } from '../testing/connected.js';
 import { ControlLost } from './control.js';
 
@@ -95,6 +95,27 @@ describe('control of a drone', () => {
     expect(all.server.control.state).toBe('free');
   });
 
+  it('that ends on a line that breaks brings the drone home all the same', async () => {
+    ending('succeeded');
+    all.server.setDrone({ armed: true, flight: 'inAir' });
+    const control = await all.drone.control();
+    all.server.faults.set('GET /api/v1/drones/d1', ['request lost', 'answer lost']);
+    all.server.faults.set('POST /api/v1/drones/d1/commands', ['answer lost']);
+    await control.end();
+    expect(new Set(commanded().map(String))).toEqual(new Set(['returnToLaunch,1']));
+    expect(all.server.commands.size).toBe(1);
+    expect(all.server.control.state).toBe('free');
+  });
+
+  it('tells both, why the work failed and why the drone does not come home', async () => {
+    ending('failed');
+    all.server.setDrone({ armed: true, flight: 'inAir' });
+    const fails = all.drone.control(() => {
+      throw new Error('No pictures.');
+    });
+    await expect(fails).rejects.toThrow('No pictures. After that: “returnToLaunch” failed.');
+  });
+
   it('that somebody took over is lost, and nothing is sent to the drone at its end', async () => {
     all.server.setDrone({ armed: true, flight: 'inAir' });
     const control = await all.drone.control();
@@ -114,6 +135,21 @@ describe('control of a drone', () => {
     await until(() => expect(control.epoch).toBe(7));
     expect(control.signal.aborted).toBe(false);
     await control.end();
+  });
+
+  it('is renewed for a command that a restarted server refuses by its old epoch', async () => {
+    const control = await all.drone.control();
+    all.server.control = { ...all.server.control, epoch: 7 };
+    await all.drone.command({ type: 'land' });
+    expect(commanded().at(-1)).toEqual(['land', 7]);
+    await control.end();
+  });
+
+  it('that has ended is not renewed for a command that names it', async () => {
+    await all.drone.control();
+    all.server.control = { ...all.server.control, holder: 'mia', epoch: 2 };
+    await expect(all.drone.command({ type: 'land' })).rejects.toBeInstanceOf(Refused);
+    expect(all.server.commands.size).toBe(0);
   });
 
   it('is refused with the reason while somebody else has it', async () => {

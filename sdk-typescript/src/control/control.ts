@@ -1,5 +1,6 @@
 import type { CommandRequest, ControlView, DroneView } from '../contract/schemas.js';
 import type { RestOperations } from '../contract/operations.js';
+import { persistently } from '../rest/patience.js';
 import { Problem } from '../rest/problem.js';
 import type { Timers } from '../stream/stream-client.js';
 
@@ -29,6 +30,7 @@ export interface ControlPorts {
 /** The server misses three of these before it calls a holder lost. */
 const HEARTBEAT_MILLISECONDS = 2_000;
 const ANSWER_MILLISECONDS = 4_000;
+const PATIENCE_MILLISECONDS = 30_000;
 
 const COMMANDS = { returnHome: 'returnToLaunch', land: 'land', hold: 'hold' } as const;
 
@@ -81,6 +83,13 @@ export class Control implements AsyncDisposable {
     return this.#lost.signal;
   }
 
+  /** Asks for the epoch; true: it is another one than before. */
+  async renew(): Promise<boolean> {
+    const before = this.#epoch;
+    await this.#heartbeat();
+    return this.#epoch !== before;
+  }
+
   /** Does with a drone in the air what was agreed, and gives control back. Once, however often it is called. */
   end(): Promise<void> {
     this.#ending ??= this.#end();
@@ -106,7 +115,10 @@ export class Control implements AsyncDisposable {
   }
 
   async #bringToSafety(type: 'returnToLaunch' | 'land' | 'hold'): Promise<void> {
-    if (isAirborne(await this.#ports.rest.getDrone({ id: this.drone }, { timeout: ANSWER_MILLISECONDS }))) {
+    const { rest, timers } = this.#ports;
+    const look = (): Promise<DroneView> =>
+      rest.getDrone({ id: this.drone }, { timeout: ANSWER_MILLISECONDS });
+    if (isAirborne(await persistently(timers, PATIENCE_MILLISECONDS, this.signal, look))) {
       await this.#ports.command({ type });
     }
   }

@@ -1,6 +1,6 @@
 import type { Timers } from '../stream/stream-client.js';
 import { pause } from '../timing.js';
-import type { Problem } from './problem.js';
+import { Problem } from './problem.js';
 
 const FIRST_MILLISECONDS = 500;
 const LONGEST_MILLISECONDS = 5_000;
@@ -28,5 +28,30 @@ export class Patience {
   /** It went well: the next problem is the first again. */
   reset(): void {
     this.#next = FIRST_MILLISECONDS;
+  }
+}
+
+/** Tries for so many milliseconds while the server cannot be reached or is busy; then rejects with the last problem. */
+export async function persistently<T>(
+  timers: Timers,
+  timeout: number,
+  signal: AbortSignal | undefined,
+  attempt: () => Promise<T>,
+): Promise<T> {
+  const end = timers.now() + timeout;
+  const patience = new Patience(timers);
+  for (;;) {
+    try {
+      return await attempt();
+    } catch (thrown) {
+      if (!(thrown instanceof Problem && thrown.mayPass)) {
+        throw thrown;
+      }
+      const wait = patience.afterProblem(thrown);
+      if (timers.now() + wait > end) {
+        throw thrown;
+      }
+      await patience.wait(wait, signal);
+    }
   }
 }

@@ -181,7 +181,7 @@ export class FakeServer {
       return this.#control(action, what);
     }
     if (what === `POST /api/v1/drones/${drone}/commands`) {
-      return [202, this.#give(drone, body)];
+      return this.#judged(drone, body);
     }
     if (what === `GET /api/v1/drones/${drone}`) {
       return found(this.drones.get(drone), 'drone-unknown');
@@ -203,6 +203,16 @@ export class FakeServer {
     'GET /api/v1/drones': () => ({ drones: [...this.drones.values()] }),
     'POST /api/v1/stream-tickets': () => ({ ticket: TICKET }),
   };
+
+  /** Refuses a command that names another control than there is, or comes while somebody else has it. */
+  #judged(drone: string, body: Record<string, unknown>): [number, unknown] {
+    const { holder, epoch } = this.control;
+    const refused = (code: string): [number, unknown] => [409, { code, commandId: body['id'], detail: code }];
+    if ('epoch' in body && body['epoch'] !== epoch) {
+      return refused('control-ended');
+    }
+    return holder === null || holder === 'olga' ? [202, this.#give(drone, body)] : refused('control-held');
+  }
 
   #give(drone: string, body: Record<string, unknown>): CommandView {
     const id = String(body['id']);

@@ -191,6 +191,10 @@ describe('a connection', () => {
     await expect(Dronemap.connect(options)).rejects.toMatchObject({ status: 401, code: 'key-unknown' });
   });
 
+  it('says where the server is, unless it is that of the page', async () => {
+    await expect(Dronemap.connect({ key: 'k' })).rejects.toThrow('say where the server is');
+  });
+
   it('of a page shows its session, and the stream a ticket', async () => {
     const { url } = all.server;
     await using page = await Dronemap.connect({ url, session: true, WebSocket, timers: quickTimers });
