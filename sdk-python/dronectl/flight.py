@@ -96,7 +96,7 @@ async def goto(
 
     Ctrl-C on the way: the drone holds.
     """
-    reference: Literal["home", "amsl"] = "amsl" if amsl else "home"
+    reference: Literal["amsl"] | None = "amsl" if amsl else None
     command = GoToCommand(latitude=latitude, longitude=longitude, altitude=altitude, altitude_reference=reference)
     reached = None if no_wait else at_place(latitude, longitude, altitude, reference)
     flown = await session.drone(drone)

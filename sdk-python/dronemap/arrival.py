@@ -29,7 +29,7 @@ def at_height(meters: float) -> Callable[[DroneView], bool]:
     return reached
 
 
-def at_place(latitude: float, longitude: float, altitude: float, reference: str) -> Callable[[DroneView], bool]:
+def at_place(latitude: float, longitude: float, altitude: float, reference: str | None) -> Callable[[DroneView], bool]:
     """Whether it is at that place: degrees, metres above home or above mean sea level (amsl)."""
 
     def reached(state: DroneView) -> bool:
