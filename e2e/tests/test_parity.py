@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -48,20 +49,23 @@ class Flown:
 
 
 @pytest.fixture(scope="module")
-def rest(server: Server, api: Api, vehicles: Vehicles, tmp_path_factory: pytest.TempPathFactory) -> Flown:
-    """What the others are compared with."""
-    return flight("REST", server, api, vehicles, tmp_path_factory.mktemp("rest"))
+def flights(
+    server: Server, vehicles: Vehicles, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[dict[str, Flown]]:
+    """All at once, each by one face with a copter and a pilot of its own."""
+    awake = {name: vehicles.wake_next() for name in FACES}
+    with ThreadPoolExecutor(len(FACES)) as pool:
+        under_way = {
+            name: pool.submit(flight, name, server, system_id, tmp_path_factory.mktemp("flight"))
+            for name, system_id in awake.items()
+        }
+    for system_id in awake.values():
+        vehicles.silence(system_id)
+    yield {name: flown.result() for name, flown in under_way.items()}
 
 
-@pytest.fixture(params=[name for name in FACES if name != "REST"])
-def other(
-    request: pytest.FixtureRequest, server: Server, api: Api, vehicles: Vehicles, tmp_path: Path
-) -> Iterator[Flown]:
-    yield flight(request.param, server, api, vehicles, tmp_path)
-
-
-def flight(name: str, server: Server, api: Api, vehicles: Vehicles, folder: Path) -> Flown:
-    system_id = vehicles.wake_next()
+def flight(name: str, server: Server, system_id: int, folder: Path) -> Flown:
+    api = Api(server.address, server.local_key())
     drone = wait_for("the copter is ready", lambda: api.ready(system_id), 90)
     pilot = new_user(server, api, "operator")
     assert api.call("PUT", f"/users/{pilot.name}/only-granted", {"onlyGranted": True}).status_code == 204
@@ -74,7 +78,6 @@ def flight(name: str, server: Server, api: Api, vehicles: Vehicles, folder: Path
         fly(face, api, drone, flown, granted.json()["id"])
     finally:
         face.close()
-        vehicles.silence(system_id)
     flown.recorded = recorded(api, drone, pilot.name)
     flown.said = {step: nameless(said, drone, pilot.name) for step, said in flown.said.items()}
     return flown
@@ -140,8 +143,9 @@ def nameless(said: tuple[Any, ...], drone: Json, user: str) -> tuple[Any, ...]:
     return tuple(plain(part) for part in said)
 
 
-def test_flight_by_rest_goes_as_it_should(rest: Flown) -> None:
+def test_flight_by_rest_goes_as_it_should(flights: dict[str, Flown]) -> None:
     """End to end because a client of each face's own flies a copter of its own."""
+    rest = flights["REST"]
     assert rest.seen == ["this drone"]
     assert rest.control == [("held", True, False), ("free", False, True)]
     for step in ("arm", "take off", "upload", "start", "return"):
@@ -153,8 +157,10 @@ def test_flight_by_rest_goes_as_it_should(rest: Flown) -> None:
     assert len(rest.recorded) >= 9
 
 
-def test_another_face_says_does_and_records_the_same(rest: Flown, other: Flown) -> None:
+@pytest.mark.parametrize("name", [name for name in FACES if name != "REST"])
+def test_another_face_says_does_and_records_the_same(flights: dict[str, Flown], name: str) -> None:
     """End to end because a client of each face's own flies a copter of its own."""
+    rest, other = flights["REST"], flights[name]
     assert other.seen == rest.seen
     assert other.control == rest.control
     for step, said in other.said.items():
