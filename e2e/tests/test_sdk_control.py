@@ -54,8 +54,8 @@ class Flown:
     home: Point
     status: int
     errors: str
-    left_at: float
-    """When the program had ended, by the clock of the recorder."""
+    called_home_by: list[str]
+    """Who gave each command to return."""
 
     def modes(self) -> list[int]:
         """The modes that the vehicle had, in order."""
@@ -122,14 +122,18 @@ def fly(server: Server, vehicles: Vehicles, folder: Path) -> dict[str, Flown]:
         errors = program.communicate(timeout=60)[1]
         drone = drones[case]
         assert drone is not None
-        wire = vehicles.wire(awake[case])
         home = Point(drone["home"]["latitude"], drone["home"]["longitude"], 0)
-        ended[case] = Flown(wire, home, program.returncode, errors, wire.messages(up=True)[-1].at)
+        ended[case] = Flown(vehicles.wire(awake[case]), home, program.returncode, errors, [])
     wait_for(
         "all are down and disarmed",
         lambda: all(not is_armed(each.wire) for each in ended.values()),
         seconds=120,
     )
+    for case, flown in ended.items():
+        drone = drones[case]
+        assert drone is not None
+        given = api.get(f"/drones/{drone['id']}/commands")["commands"]
+        flown.called_home_by = [each["by"] for each in given if each["type"] == "returnToLaunch"]
     return ended
 
 
@@ -144,25 +148,18 @@ def test_drone_of_a_program_that_ends_its_block_returns_home(flown: dict[str, Fl
     ended = flown[case]
     assert ended.modes()[-1] == COPTER_RTL
     assert ended.landed_from_home() < 2
+    assert ended.called_home_by == ["admin"]
     assert (ended.status == 0) == (case == "leaves")
     if case == "fails":
         assert "ZeroDivisionError: of the program" in ended.errors
-
-
-def test_program_has_told_its_drone_to_return_before_it_ends(flown: dict[str, Flown]) -> None:
-    """End to end because a program of its own is left, and the judge sees only the wire."""
-    before = [
-        h.message.custom_mode
-        for h in flown["leaves"].wire.messages("HEARTBEAT", up=True)
-        if h.at <= flown["leaves"].left_at
-    ]
-    assert COPTER_RTL in before
 
 
 def test_drone_of_a_killed_program_is_called_home_by_the_server(flown: dict[str, Flown]) -> None:
     """End to end because a program of its own is killed, and the judge sees only the wire."""
     ended = flown["is killed"]
     assert ended.status == -signal.SIGKILL
+    assert ended.called_home_by
+    assert "admin" not in ended.called_home_by
     assert ended.modes()[-1] == COPTER_RTL
     assert ended.landed_from_home() < 2
 
@@ -181,9 +178,7 @@ def test_drone_that_is_left_hovering_is_called_home_by_the_server(flown: dict[st
     """End to end because a program of its own is left, and the judge sees only the wire."""
     ended = flown[case]
     assert ended.status == 0, ended.errors
-    before = [
-        h.message.custom_mode for h in ended.wire.messages("HEARTBEAT", up=True) if h.at <= ended.left_at
-    ]
-    assert COPTER_RTL not in before
+    assert ended.called_home_by
+    assert "admin" not in ended.called_home_by
     assert ended.modes()[-1] == COPTER_RTL
     assert ended.landed_from_home() < 2
