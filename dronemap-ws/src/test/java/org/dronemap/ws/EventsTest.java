@@ -64,6 +64,7 @@ class EventsTest {
     void showsTheDronesThatAreAskedForAlone() {
         String start = viewer.get(PATH).text("next");
         says(one, "of the other");
+        assertThat(texts(awaited(viewer, start, ""))).containsExactly("of the other");
         says(two, "of this one");
 
         TestHttpClient.Answer found = awaited(viewer, start, "&drones=nobody," + two.id());
@@ -77,7 +78,9 @@ class EventsTest {
             TestHttpClient stranger = others.http(Role.ADMINISTRATOR);
             ScriptedVehicle theirs = others.vehicle();
             String start = stranger.get(PATH).text("next");
+            String ours = viewer.get(PATH).text("next");
             says(one, "not theirs");
+            assertThat(texts(awaited(viewer, ours, ""))).containsExactly("not theirs");
             says(theirs, "theirs");
 
             TestHttpClient.Answer found = awaited(stranger, start, "");
@@ -99,6 +102,7 @@ class EventsTest {
 
         root.http().send("/api/v1/grants/" + taken, HttpRequest.Builder::DELETE);
         says(one, "hidden");
+        assertThat(texts(awaited(root.http(), start, ""))).containsExactly("hidden");
         says(two, "shown");
 
         assertThat(texts(waiting.get(60, TimeUnit.SECONDS))).containsExactly("shown");
