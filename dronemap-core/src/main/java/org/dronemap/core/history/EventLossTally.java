@@ -18,7 +18,7 @@ final class EventLossTally {
         events.forEach(event -> add(EventLoss.of(event)));
     }
 
-    synchronized @Nullable EventLoss take() {
+    synchronized @Nullable EventLoss drain() {
         EventLoss taken = sum;
         sum = null;
         return taken;

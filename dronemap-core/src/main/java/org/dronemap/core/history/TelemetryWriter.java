@@ -209,7 +209,7 @@ public final class TelemetryWriter implements TelemetrySink, AutoCloseable {
         taken.sort(BY_DRONE);
         List<HistoryEvent> happened = new ArrayList<>();
         events.drainTo(happened, rhythm.batch());
-        return new Batch(taken, happened, losses.take());
+        return new Batch(taken, happened, losses.drain());
     }
 
     private boolean answers() {

@@ -153,7 +153,7 @@ final class BackupRestore {
     }
 
     /** What happened since the backup is missing; numbers go on after those that came along. */
-    private void tellMissingEvents(Statement statement) throws SQLException {
+    private void insertRestoredGap(Statement statement) throws SQLException {
         String numbers = "pg_get_serial_sequence('" + staging + ".drone_event', 'id')";
         statement.execute("SELECT setval(" + numbers + ", greatest((SELECT max(id) FROM " + staging
                 + ".drone_event), (SELECT max(number) FROM " + staging + ".event_gap), 1))");
@@ -169,7 +169,7 @@ final class BackupRestore {
             // Somebody else's long transaction must not hold this one up for ever.
             statement.execute("SET LOCAL lock_timeout = '30s'");
             keepEpochsRising(statement);
-            tellMissingEvents(statement);
+            insertRestoredGap(statement);
             statement.execute("ALTER SCHEMA " + schema + " RENAME TO " + replaced);
             statement.execute("ALTER SCHEMA " + staging + " RENAME TO " + schema);
             statement.execute("DROP SCHEMA " + replaced + " CASCADE");

@@ -72,7 +72,7 @@ final class EventFollow {
                 return true;
             }
             if (page.entries().stream().anyMatch(entry -> concerns(caller.principal(), entry))) {
-                take(page, asking.get());
+                collect(page, asking.get());
             } else {
                 pass(page);
             }
@@ -94,7 +94,7 @@ final class EventFollow {
         return !events.isEmpty() || !gaps.isEmpty();
     }
 
-    private synchronized void take(EventPage page, Principal principal) {
+    private synchronized void collect(EventPage page, Principal principal) {
         for (EventEntry entry : page.entries()) {
             if (concerns(principal, entry)) {
                 add(principal, entry);

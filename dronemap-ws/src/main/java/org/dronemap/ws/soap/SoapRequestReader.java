@@ -28,7 +28,7 @@ import tools.jackson.databind.node.ObjectNode;
  * what is wrong with them.
  */
 final class SoapRequestReader {
-    /** Parameter of the operations that wait for the outcome of a command: who calls by SOAP hears it in the answer. */
+    /** Parameter of the operations that wait for an outcome or an event: who calls by SOAP hears it in the answer. */
     private static final String WAIT = "wait";
 
     private static final String SECONDS_TO_WAIT = "30";

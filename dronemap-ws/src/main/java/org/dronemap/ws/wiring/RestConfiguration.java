@@ -82,7 +82,7 @@ class RestConfiguration {
     }
 
     @Bean
-    WebServerFactoryCustomizer<ConfigurableTomcatWebServerFactory> toldVersion() {
+    WebServerFactoryCustomizer<ConfigurableTomcatWebServerFactory> versionHeader() {
         return factory -> factory.addContextCustomizers(
                 context -> context.getParent().getPipeline().addValve(new VersionHeaderValve(BuildVersion.current())));
     }

@@ -110,7 +110,7 @@ class EventFollowServiceTest {
         time.advance(Duration.ofMillis(1));
 
         assertThat(texts(waiting)).isEmpty();
-        assertThat(waiting.join().next()).isEqualTo(from);
+        assertThat(done(waiting).next()).isEqualTo(from);
         assertThat(waiters.count()).isZero();
     }
 
@@ -124,8 +124,8 @@ class EventFollowServiceTest {
         time.advance(Duration.ofSeconds(5));
 
         assertThat(texts(waiting)).isEmpty();
-        assertThat(waiting.join().next()).isNotEqualTo(from);
-        assertThat(waiting.join().next()).isEqualTo(fromNowOn());
+        assertThat(done(waiting).next()).isNotEqualTo(from);
+        assertThat(done(waiting).next()).isEqualTo(fromNowOn());
     }
 
     @Test
@@ -187,8 +187,8 @@ class EventFollowServiceTest {
     void beginsWithTheOldestThatIsKeptAndStopsAtTheLimit() {
         stored(event(DRONE, 1, "a"), event(OTHER, 2, "b"), event(DRONE, 3, "c"));
 
-        FollowedEventsView first = follow(ANN, "first", 2, null).join();
-        FollowedEventsView second = follow(ANN, first.next(), 2, null).join();
+        FollowedEventsView first = done(follow(ANN, "first", 2, null));
+        FollowedEventsView second = done(follow(ANN, first.next(), 2, null));
 
         assertThat(texts(first)).containsExactly("a", "b");
         assertThat(texts(second)).containsExactly("c");
@@ -212,12 +212,12 @@ class EventFollowServiceTest {
     void tellsWhatWasDroppedOverItsTime() {
         Instant old = MIDNIGHT.minus(Duration.ofDays(3));
         stored(HistoryEvent.of(DRONE, old, HistoryEvent.Kind.MODE, "read"));
-        FollowedEventsView before = follow(ANN, "first", null).join();
+        FollowedEventsView before = done(follow(ANN, "first", null));
         stored(HistoryEvent.of(DRONE, old, HistoryEvent.Kind.MODE, "dropped"));
         stored(event(DRONE, 1, "kept"));
         memory.tidy(new Retention(0, 2, Duration.ofSeconds(10)), START);
 
-        FollowedEventsView after = follow(ANN, before.next(), null).join();
+        FollowedEventsView after = done(follow(ANN, before.next(), null));
 
         assertThat(texts(after)).containsExactly("kept");
         assertThat(after.gaps())
@@ -228,18 +228,18 @@ class EventFollowServiceTest {
                         MIDNIGHT.minus(Duration.ofDays(2)),
                         null,
                         "The server has dropped events of this time, for they are no longer kept."));
-        assertThat(follow(ANN, after.next(), null).join().gaps()).isEmpty();
+        assertThat(done(follow(ANN, after.next(), null)).gaps()).isEmpty();
     }
 
     @Test
     void tellsNothingToWhomReadAllThatWasDropped() {
         stored(HistoryEvent.of(DRONE, MIDNIGHT.minus(Duration.ofDays(3)), HistoryEvent.Kind.MODE, "read"));
-        FollowedEventsView before = follow(ANN, "first", null).join();
+        FollowedEventsView before = done(follow(ANN, "first", null));
         memory.tidy(new Retention(0, 2, Duration.ofSeconds(10)), START);
         memory.openEvents(START);
         stored(event(DRONE, 1, "kept"));
 
-        FollowedEventsView after = follow(ANN, before.next(), null).join();
+        FollowedEventsView after = done(follow(ANN, before.next(), null));
 
         assertThat(texts(after)).containsExactly("kept");
         assertThat(after.gaps()).isEmpty();
@@ -253,28 +253,27 @@ class EventFollowServiceTest {
         waiters.wake();
         time.advance(Duration.ZERO);
 
-        assertThat(waiting.join().gaps()).singleElement().satisfies(gap -> {
+        assertThat(done(waiting).gaps()).singleElement().satisfies(gap -> {
             assertThat(gap.cause()).isEqualTo("notWritten");
             assertThat(gap.count()).isEqualTo(7);
             assertThat(gap.from()).isEqualTo(Instant.parse("2026-03-04T05:06:07.123Z"));
             assertThat(gap.until()).isEqualTo(Instant.parse("2026-03-04T05:06:12.123Z"));
         });
-        assertThat(follow(KEY, from, null).join().gaps())
+        assertThat(done(follow(KEY, from, null)).gaps())
                 .singleElement()
                 .satisfies(gap -> assertThat(gap.count()).isNull());
-        assertThat(follow(ANN, waiting.join().next(), null).join().gaps()).isEmpty();
+        assertThat(done(follow(ANN, done(waiting).next(), null)).gaps()).isEmpty();
     }
 
     @Test
     void tellsThatAPlaceIsOfAnotherSeries() {
         stored(event(DRONE, 1, "a"));
 
-        FollowedEventsView answer =
-                follow(ANN, new EventCursor("another", 1).written(), null).join();
+        FollowedEventsView answer = done(follow(ANN, new EventCursor("another", 1).written(), null));
 
         assertThat(texts(answer)).containsExactly("a");
         assertThat(answer.gaps()).extracting(EventGapView::cause).containsExactly("otherSeries");
-        assertThat(follow(ANN, answer.next(), null).join().gaps()).isEmpty();
+        assertThat(done(follow(ANN, answer.next(), null)).gaps()).isEmpty();
     }
 
     @Test
@@ -282,8 +281,7 @@ class EventFollowServiceTest {
         stored(event(DRONE, 1, "a"));
         EventCursor now = EventCursor.read(fromNowOn());
 
-        FollowedEventsView answer = follow(ANN, new EventCursor(now.series(), now.number() + 1).written(), LONG)
-                .join();
+        FollowedEventsView answer = done(follow(ANN, new EventCursor(now.series(), now.number() + 1).written(), LONG));
 
         assertThat(texts(answer)).containsExactly("a");
         assertThat(answer.gaps()).extracting(EventGapView::cause).containsExactly("otherSeries");
@@ -295,14 +293,14 @@ class EventFollowServiceTest {
                 DRONE, START, HistoryEvent.Kind.COMMAND, "arm", null, "zoe", "c-1", "refused", "zoe said no");
         stored(command);
 
-        NumberedEventView shown = follow(KEY, "first", null).join().events().get(0);
+        NumberedEventView shown = done(follow(KEY, "first", null)).events().get(0);
 
         assertThat(shown.by()).isEqualTo(NameRedaction.OTHERS);
         assertThat(shown.reason()).isNull();
     }
 
     private String fromNowOn() {
-        return follow(ANN, null, LONG).join().next();
+        return done(follow(ANN, null, LONG)).next();
     }
 
     private CompletableFuture<FollowedEventsView> follow(
@@ -330,9 +328,13 @@ class EventFollowServiceTest {
         return new AuthenticatedCaller(principal, AuthenticatedCaller.Proof.KEY, null, null, false);
     }
 
-    private static List<String> texts(CompletableFuture<FollowedEventsView> answer) {
+    private static FollowedEventsView done(CompletableFuture<FollowedEventsView> answer) {
         assertThat(answer).isCompleted();
-        return texts(answer.join());
+        return answer.join();
+    }
+
+    private static List<String> texts(CompletableFuture<FollowedEventsView> answer) {
+        return texts(done(answer));
     }
 
     private static List<String> texts(FollowedEventsView answer) {

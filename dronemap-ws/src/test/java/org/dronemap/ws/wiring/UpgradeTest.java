@@ -15,6 +15,7 @@ import org.dronemap.core.access.OrganisationDirectory;
 import org.dronemap.core.access.User;
 import org.dronemap.core.audit.SignedAuditHead;
 import org.dronemap.core.history.FlightQuery;
+import org.dronemap.core.history.NumberedEvent;
 import org.dronemap.core.operation.JournalReplay;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.SavedOperation;
@@ -96,6 +97,9 @@ class UpgradeTest {
         assertThat(kept.virtualDrones().virtualDrones()).hasSize(rows(now, "virtual_drone"));
         assertThat(kept.links().robotKeys()).hasSize(rows(now, "robot_key"));
         assertThat(kept.flights().flights(FlightQuery.ALL, null, MOST)).hasSize(rows(now, "flight"));
+        assertThat(kept.telemetry().eventsAfter(0, MOST).entries())
+                .filteredOn(NumberedEvent.class::isInstance)
+                .hasSizeGreaterThanOrEqualTo(rows(now, "drone_event"));
         assertThat(kept.recordings().recordings())
                 .hasSize(rows(now, "recording"))
                 .allMatch(recording ->

@@ -36,7 +36,7 @@ public record SoapServices(Map<String, SoapService> services, XmlTypes types, Ma
             "VirtualDroneService",
             List.of("Virtual drones", "Warehouse"),
             "RecordService",
-            List.of("Flights", "Recordings", "Replays", "Activity"),
+            List.of("Flights", "Events", "Recordings", "Replays", "Activity"),
             "FleetService",
             List.of("Groups and fleets", "Links", "Signed links", "Robot keys", "Outlet", "Enrolment"),
             "AccountService",
