@@ -13,7 +13,6 @@ import org.dronemap.ws.access.AuditNotes;
 import org.dronemap.ws.drone.ControlView;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
-import org.dronemap.ws.reading.WireNames;
 import org.dronemap.ws.stream.StreamAccessRule;
 import org.dronemap.ws.stream.StreamMessage;
 import org.dronemap.ws.stream.StreamOperation;
@@ -69,10 +68,9 @@ final class ControlStreamOperation {
     }
 
     private static void note(StreamControlRequest request) {
-        String action = WireNames.camel(request.asked().action());
         AuditedCall.current()
                 .ifPresent(call -> call.parameters(
-                        AuditNotes.summaryOf("action", action, "user", request.user(), "reason", request.reason()),
+                        AuditNotes.summaryOf("user", request.user(), "reason", request.reason()),
                         ""));
     }
 

@@ -105,17 +105,13 @@ public final class TelemetryService {
     /** All points, or so many of them that they are no more than is asked for, evenly over the time. */
     public TelemetryPointView.Points points(Subject subject, TelemetrySearchRequest search) {
         TimeRange span = subject.span(search);
-        Duration apart = span.length().dividedBy(search.mostPoints());
-        List<TelemetryPointView> points = new ArrayList<>();
-        Instant[] next = {span.from()};
-        store.points(subject.drone(), span, point -> {
-            if (!point.at().isBefore(next[0])) {
-                points.add(TelemetryPointView.of(point));
-                next[0] = point.at().plus(apart);
-            }
-        });
+        EvenPoints points = new EvenPoints(span, search.mostPoints());
+        store.points(subject.drone(), span, points::add);
         return new TelemetryPointView.Points(
-                subject.drone().value(), WireTimes.shown(span.from()), WireTimes.shown(span.until()), points);
+                subject.drone().value(),
+                WireTimes.shown(span.from()),
+                WireTimes.shown(span.until()),
+                points.chosen().stream().map(TelemetryPointView::of).toList());
     }
 
     public DroneEventView.Events events(Subject subject, TelemetrySearchRequest search) {

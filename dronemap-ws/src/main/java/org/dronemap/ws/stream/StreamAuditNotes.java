@@ -20,10 +20,10 @@ final class StreamAuditNotes {
         });
     }
 
-    /** {@code type}: as clients call it. */
-    static void note(String type, StreamRequest request) {
+    /** {@code operation}: the name in the record. */
+    static void note(String operation, StreamRequest request) {
         AuditedCall.current().ifPresent(call -> {
-            call.operation(type);
+            call.operation(operation);
             String drone = request.drone();
             if (drone != null) {
                 call.drone(AuditNotes.withoutSecrets(drone));

@@ -9,6 +9,7 @@ import org.dronemap.core.audit.AuditRecorder;
 import org.dronemap.core.audit.AuditedCall;
 import org.dronemap.ws.access.AccessRule;
 import org.dronemap.ws.access.AuditNotes;
+import org.dronemap.ws.access.RestOperation;
 import org.dronemap.ws.access.RestOperations;
 import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.budget.Budgets;
@@ -199,11 +200,12 @@ final class StreamRequestHandler {
     }
 
     private void answer(StreamClient client, StreamRequest request) {
-        StreamAuditNotes.note(requests.nameOf(request), request);
+        AccessRule rule = rule(request);
+        StreamAuditNotes.note(nameInRecord(rule, request), request);
         Optional<StreamOperation<?>> ofFeature = requests.operation(request);
         ofFeature.ifPresent(operation -> operation.note(request));
         if (request instanceof StreamRequest.Authenticate proof) {
-            StreamAuditNotes.note(rule(request).audit());
+            StreamAuditNotes.note(rule.audit());
             authenticate(client, proof.key());
             return;
         }
@@ -211,7 +213,7 @@ final class StreamRequestHandler {
                 .orElseThrow(() -> Rejection.of(
                         AccessProblem.SIGN_IN_NEEDED,
                         "Send {\"type\":\"authenticate\",\"key\":\"…\"} with an access key first."));
-        judge(principal, rule(request));
+        judge(principal, rule);
         if (request instanceof StreamRequest.Subscribe subscription) {
             subscribe(client, subscription);
         } else if (request instanceof StreamRequest.Ping) {
@@ -222,6 +224,12 @@ final class StreamRequestHandler {
                 send(client, answer);
             }
         }
+    }
+
+    /** What REST can do as well has the same name in the record, whichever face does it. */
+    private String nameInRecord(AccessRule rule, StreamRequest request) {
+        RestOperation operation = rule.operation();
+        return operation == null ? requests.nameOf(request) : operation.name();
     }
 
     private AccessRule rule(StreamRequest request) {
