@@ -75,6 +75,8 @@ class Flown:
 @pytest.fixture(scope="module")
 def flown(tmp_path_factory: pytest.TempPathFactory) -> Iterator[dict[str, Flown]]:
     folder = tmp_path_factory.mktemp("control")
+    # A shell lets what it runs in the background ignore interruptions, and programs would inherit that.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
     server = Server(
         folder / "data",
         DRONEMAP_CONTROL_LOST_SECONDS="3",
@@ -88,6 +90,7 @@ def flown(tmp_path_factory: pytest.TempPathFactory) -> Iterator[dict[str, Flown]
     finally:
         vehicles.close()
         server.stop()
+        signal.signal(signal.SIGINT, before)
 
 
 def fly(server: Server, vehicles: Vehicles, folder: Path) -> dict[str, Flown]:

@@ -11,7 +11,7 @@ from dronectl.failure import NotSeen
 from dronectl.output import Working
 from dronectl.settings import Session
 from dronemap import DronemapError
-from dronemap.arrival import arrived, at_height, at_place, meters_between, on_ground
+from dronemap.arrival import arrived, at_height, at_place, on_ground
 from dronemap.command import AsyncCommand
 from dronemap.command import Command as DroneCommand
 from dronemap.contract.models import (
@@ -27,6 +27,7 @@ from dronemap.contract.models import (
     TakeOffCommand,
 )
 from dronemap.drone import AsyncDrone
+from dronemap.geo import meters_between
 
 #: What becomes of the drone when its user presses Ctrl-C on the way.
 WhenInterrupted = Literal["hold", "goOn"]

@@ -10,7 +10,7 @@
 typed call for each operation of the server, `dronemap.contract.models` the types.
 """
 
-from dronemap.arrival import Interrupted, meters_between
+from dronemap.arrival import Interrupted
 from dronemap.client import AsyncDronemap, NoSuchDrone
 from dronemap.connection import Server, find_server
 from dronemap.contract import models
@@ -26,6 +26,7 @@ from dronemap.errors import (
     WaitedTooLong,
 )
 from dronemap.events import FIRST
+from dronemap.geo import meters_between, offset
 from dronemap.mission import Mission
 from dronemap.outcome import (
     CommandError,
@@ -78,4 +79,5 @@ __all__ = [
     "find_server",
     "meters_between",
     "models",
+    "offset",
 ]

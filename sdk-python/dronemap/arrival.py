@@ -1,16 +1,19 @@
 """Waiting until a drone is where it was sent."""
 
-import math
 from collections.abc import AsyncIterator, Callable
 from datetime import timedelta
 
 from dronemap.contract.models import DroneView
 from dronemap.errors import DronemapError
+from dronemap.geo import meters_between
 
-_EARTH_METERS = 6_371_000.0
 #: Vehicles stop within this of a place.
-_NEAR_METERS = 2.0
-_NEAR_HEIGHT_METERS = 1.0
+NEAR_METERS = 2.0
+NEAR_HEIGHT_METERS = 1.0
+#: Slower than this, m/s, it stands.
+_STANDS = 0.5
+#: They do not stop in the air.
+_CIRCLING = ("fixedWing", "vtol")
 #: The mode that belongs to a command may be told a little after it was accepted.
 _SETTLES = timedelta(seconds=2)
 
@@ -30,7 +33,10 @@ def at_height(meters: float) -> Callable[[DroneView], bool]:
 
 
 def at_place(latitude: float, longitude: float, altitude: float, reference: str | None) -> Callable[[DroneView], bool]:
-    """Whether it is at that place: degrees, metres above home or above mean sea level (amsl)."""
+    """Whether it stands at that place: degrees, metres above home or above mean sea level (amsl).
+
+    There is within 2 m over ground and 1 m in height; what cannot stand in the air need not.
+    """
 
     def reached(state: DroneView) -> bool:
         place = state.position
@@ -39,11 +45,17 @@ def at_place(latitude: float, longitude: float, altitude: float, reference: str 
         height = place.altitude_amsl if reference == "amsl" else place.altitude_above_home
         return (
             height is not None
-            and abs(height - altitude) <= _NEAR_HEIGHT_METERS
-            and meters_between(place.latitude, place.longitude, latitude, longitude) <= _NEAR_METERS
+            and _stands(state)
+            and abs(height - altitude) <= NEAR_HEIGHT_METERS
+            and meters_between(place.latitude, place.longitude, latitude, longitude) <= NEAR_METERS
         )
 
     return reached
+
+
+def _stands(state: DroneView) -> bool:
+    speed = None if state.motion is None else state.motion.ground_speed
+    return speed is None or speed < _STANDS or state.kind in _CIRCLING
 
 
 def on_ground(state: DroneView) -> bool:
@@ -85,14 +97,6 @@ async def arrived(states: AsyncIterator[DroneView], reached: Callable[[DroneView
         if was_up and state.flight == "onGround":
             raise Interrupted(f"{state.name} is not {aim}: it is on the ground.")
     raise Interrupted("The connection was closed meanwhile.")
-
-
-def meters_between(latitude: float, longitude: float, to_latitude: float, to_longitude: float) -> float:
-    """Over ground, along a great circle."""
-    a, b = math.radians(latitude), math.radians(to_latitude)
-    half_up = math.sin((b - a) / 2) ** 2
-    half_along = math.sin(math.radians(to_longitude - longitude) / 2) ** 2
-    return 2 * _EARTH_METERS * math.asin(math.sqrt(min(1.0, half_up + math.cos(a) * math.cos(b) * half_along)))
 
 
 def _holder(state: DroneView) -> str:

@@ -11,7 +11,7 @@ from urllib.parse import urlsplit
 from dronemap.errors import NotConfigured
 
 _LOCAL = "http://127.0.0.1:8080"
-_LOCAL_KEY = Path(".data") / "local-key"
+_LOCAL_KEY = "local-key"
 _OTHERS_MAY_READ = 0o077
 
 
@@ -37,14 +37,16 @@ def find_server(
     *,
     certificate: str | None = None,
     profile: str | None = None,
-    environment: Mapping[str, str] = os.environ,
+    environment: Mapping[str, str] | None = None,
 ) -> Server:
     """What is given first, then DRONEMAP_URL, DRONEMAP_KEY and DRONEMAP_CERTIFICATE, then the file.
 
     The file is ~/.config/dronemap/config.toml (or DRONEMAP_CONFIG), with `url`, `key` and `certificate` below the name
     of a profile: `default`, or what `profile` or DRONEMAP_PROFILE say. With none of them it is the server on this
-    machine, and the key that it has put into the data folder of the checkout where the program runs.
+    machine, and the key that it has put into its data folder: DRONEMAP_DATA_DIR, or `.data` in the folder where the
+    program runs or one above it.
     """
+    environment = os.environ if environment is None else environment
     kept = _profile(profile or environment.get("DRONEMAP_PROFILE"), environment)
     address = url or environment.get("DRONEMAP_URL") or kept.get("url") or _LOCAL
     host = _host(address)
@@ -52,13 +54,15 @@ def find_server(
     if found is None and address == kept.get("url", address):
         found = kept.get("key")
     file = None
-    if found is None and host in ("127.0.0.1", "localhost", "::1"):
-        file = _local_key_file()
+    is_local = host in ("127.0.0.1", "localhost", "::1")
+    if found is None and is_local:
+        file = _local_key_file(environment)
         found = None if file is None else read_key(file)
     if found is None:
+        local = " Or run in the folder of the server's checkout, or name its DRONEMAP_DATA_DIR." if is_local else ""
         raise NotConfigured(
             f"No access key for {address}. Make one on the page (Account, Access keys) and give it as DRONEMAP_KEY, "
-            f"or as key in {_file(environment)}."
+            f"or as key in {_file(environment)}.{local}"
         )
     trusted = certificate or environment.get("DRONEMAP_CERTIFICATE") or kept.get("certificate")
     return Server(address.rstrip("/"), found, trusted, file)
@@ -102,9 +106,8 @@ def read_key(file: Path) -> str:
     return file.read_text().strip()
 
 
-def _local_key_file() -> Path | None:
-    for folder in (Path.cwd(), *Path.cwd().parents):
-        file = folder / _LOCAL_KEY
-        if file.is_file() and os.access(file, os.R_OK):
-            return file
-    return None
+def _local_key_file(environment: Mapping[str, str]) -> Path | None:
+    named = environment.get("DRONEMAP_DATA_DIR")
+    folders = [Path(named)] if named else [folder / ".data" for folder in (Path.cwd(), *Path.cwd().parents)]
+    files = [folder / _LOCAL_KEY for folder in folders]
+    return next((file for file in files if file.is_file() and os.access(file, os.R_OK)), None)

@@ -6,7 +6,7 @@ Each line ends when the drone is there, and whoever leaves the block early has i
 import csv
 from pathlib import Path
 
-from dronemap import Dronemap
+from dronemap import Dronemap, offset
 
 with Dronemap.connect() as server:
     drone = server.drones()[0]
@@ -20,9 +20,9 @@ with Dronemap.connect() as server:
         pilot.arm()
         pilot.take_off(10)
         print("50 m north, at 20 m")
-        pilot.go_to(home.latitude + 0.00045, home.longitude, 20)
+        pilot.go_to(*offset(home.latitude, home.longitude, north=50), 20)
         print("50 m east, at 15 m")
-        pilot.go_to(home.latitude + 0.00045, home.longitude + 0.00066, 15)
+        pilot.go_to(*offset(home.latitude, home.longitude, north=50, east=50), 15)
         print("Return home")
         pilot.return_home()
 

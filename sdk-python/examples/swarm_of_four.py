@@ -8,10 +8,10 @@ import asyncio
 import json
 from pathlib import Path
 
-from dronemap import AsyncDronemap
+from dronemap import AsyncDronemap, offset
 from dronemap.drone import AsyncDrone
 
-SIDE = 0.0003
+SIDE = 30.0
 CORNERS = [(SIDE, 0.0), (SIDE, SIDE), (0.0, SIDE), (0.0, 0.0)]
 
 
@@ -24,7 +24,7 @@ async def fly_square(drone: AsyncDrone, height: float) -> dict[str, object]:
         await pilot.arm()
         await pilot.take_off(height)
         for north, east in CORNERS:
-            await pilot.go_to(latitude + north, longitude + east, height)
+            await pilot.go_to(*offset(latitude, longitude, north, east), height)
         await pilot.return_home()
     table = await drone.telemetry(since=state.last_update)
     track = [[point.longitude, point.latitude, point.altitude_amsl] for point in table.points]

@@ -7,7 +7,8 @@ from typing import Any
 import pytest
 
 from dronemap import Interrupted, models
-from dronemap.arrival import arrived, at_height, at_place, meters_between, mission_flown, on_ground
+from dronemap.arrival import arrived, at_height, at_place, mission_flown, on_ground
+from dronemap.geo import meters_between
 from dronemap.testing import MockTransport
 
 PLACE = {"latitude": 47.4, "longitude": 8.5, "altitudeAmsl": 500.0, "altitudeAboveHome": 20.0}

@@ -58,6 +58,10 @@ def test_server_of_this_machine_has_put_its_key_into_the_checkout(
     monkeypatch.chdir(tmp_path / "below")
     nothing = {"DRONEMAP_CONFIG": str(tmp_path / "none")}
     assert find_server(environment=nothing).key == "local"
+    monkeypatch.chdir("/")
+    with pytest.raises(NotConfigured, match="run in the folder of the server's checkout"):
+        find_server(environment=nothing)
+    assert find_server(environment=nothing | {"DRONEMAP_DATA_DIR": str(tmp_path / ".data")}).key == "local"
     with pytest.raises(NotConfigured, match="No access key"):
         find_server(AWAY, environment=nothing)
 
