@@ -69,9 +69,8 @@ final class ControlStreamOperation {
 
     private static void note(StreamControlRequest request) {
         AuditedCall.current()
-                .ifPresent(call -> call.parameters(
-                        AuditNotes.summaryOf("user", request.user(), "reason", request.reason()),
-                        ""));
+                .ifPresent(call ->
+                        call.parameters(AuditNotes.summaryOf("user", request.user(), "reason", request.reason()), ""));
     }
 
     private static ControlAnswer act(ControlService controls, Principal principal, StreamControlRequest request) {

@@ -3,7 +3,6 @@ package org.dronemap.ws.history;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.InstantSource;
-import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.access.HistoryVisibility;
 import org.dronemap.core.access.Principal;

@@ -60,7 +60,18 @@ class EvenPointsTest {
 
     private static TelemetryPoint point(Instant at) {
         return new TelemetryPoint(
-                new DroneId("drone"), at, null, null, null, null, null, LinkState.LIVE, LinkQuality.UNKNOWN, null, null,
-                null, null);
+                new DroneId("drone"),
+                at,
+                null,
+                null,
+                null,
+                null,
+                null,
+                LinkState.LIVE,
+                LinkQuality.UNKNOWN,
+                null,
+                null,
+                null,
+                null);
     }
 }
