@@ -8,6 +8,7 @@ process.once('SIGINT', () => stop.abort());
 
 await using dronemap = await connected();
 try {
+  await fill();
   for await (const change of dronemap.changes({ rate: 2, signal: stop.signal })) {
     if (change.type === 'drones') {
       drones.clear();
@@ -16,6 +17,8 @@ try {
       drones.set(change.drone.id, change.drone);
     } else if (change.type === 'droneRemoved') {
       drones.delete(change.id);
+    } else if (change.type === 'gap') {
+      await fill();
     }
     show();
   }
@@ -23,6 +26,12 @@ try {
   if (!stop.signal.aborted) {
     throw thrown;
   }
+}
+
+async function fill(): Promise<void> {
+  const { drones: all } = await dronemap.rest.listDrones({}, { signal: stop.signal });
+  drones.clear();
+  all.forEach((drone) => drones.set(drone.id, drone));
 }
 
 function show(): void {

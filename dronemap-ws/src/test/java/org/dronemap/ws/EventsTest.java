@@ -61,6 +61,16 @@ class EventsTest {
     }
 
     @Test
+    void saysWhichParameterIsNoNumber() {
+        TestHttpClient.Answer wrong = viewer.get(PATH + "?limit=many");
+
+        assertThat(wrong.status()).isEqualTo(422);
+        assertThat(wrong.text("code")).isEqualTo("value-malformed");
+        assertThat(wrong.text("field")).isEqualTo("limit");
+        assertThat(wrong.text("detail")).isEqualTo("\"limit\" must be a number, not \"many\".");
+    }
+
+    @Test
     void showsTheDronesThatAreAskedForAlone() {
         String start = viewer.get(PATH).text("next");
         says(one, "of the other");

@@ -24,9 +24,11 @@ import org.springframework.http.HttpMethod;
 import org.springframework.http.MediaType;
 import org.springframework.http.ResponseEntity;
 import org.springframework.http.converter.HttpMessageNotReadableException;
+import org.springframework.validation.FieldError;
 import org.springframework.web.HttpMediaTypeNotAcceptableException;
 import org.springframework.web.HttpMediaTypeNotSupportedException;
 import org.springframework.web.HttpRequestMethodNotSupportedException;
+import org.springframework.web.bind.MethodArgumentNotValidException;
 import org.springframework.web.bind.MissingServletRequestParameterException;
 import org.springframework.web.bind.annotation.ExceptionHandler;
 import org.springframework.web.bind.annotation.RestControllerAdvice;
@@ -72,13 +74,21 @@ public class ProblemAdvice {
 
     @ExceptionHandler(MethodArgumentTypeMismatchException.class)
     public ResponseEntity<ProblemView> wrongParameter(MethodArgumentTypeMismatchException e) {
-        Class<?> type = e.getRequiredType();
+        return answer(malformed(e.getName(), e.getRequiredType(), e.getValue()));
+    }
+
+    /** A parameter that is a member of a record. */
+    @ExceptionHandler(MethodArgumentNotValidException.class)
+    public ResponseEntity<ProblemView> wrongParameter(MethodArgumentNotValidException e) {
+        FieldError wrong = e.getBindingResult().getFieldErrors().get(0);
+        Class<?> type = e.getBindingResult().getFieldType(wrong.getField());
+        return answer(malformed(wrong.getField(), type, wrong.getRejectedValue()));
+    }
+
+    private static Rejection malformed(String name, @Nullable Class<?> type, @Nullable Object value) {
         boolean number = type != null && (Number.class.isAssignableFrom(type) || type.isPrimitive());
-        return answer(InvalidInput.outside(
-                ValueProblem.VALUE_MALFORMED,
-                e.getName(),
-                number ? "a number" : "another value",
-                "\"" + e.getValue() + "\""));
+        return InvalidInput.outside(
+                ValueProblem.VALUE_MALFORMED, name, number ? "a number" : "another value", "\"" + value + "\"");
     }
 
     @ExceptionHandler(MissingServletRequestParameterException.class)
