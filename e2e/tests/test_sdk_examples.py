@@ -91,7 +91,7 @@ def test_simple_goto_flies_where_it_says(bench: Bench) -> None:
 
 def test_notebook_draws_flight_of_the_example_before(bench: Bench) -> None:
     """End to end because the notebook has to run as it stands, with the libraries that it draws with."""
-    notebook = nbformat.read(EXAMPLES / "flight_map.ipynb", as_version=4)
+    notebook = nbformat.read(EXAMPLES / "flight_map.ipynb", as_version=4)  # type: ignore[no-untyped-call]
     before = dict(os.environ)
     os.environ.update(bench.environment)
     try:
