@@ -24,6 +24,7 @@ class DescribedReasonsTest {
             "notice");
     private static final String OF_A_PERSON = "a person wrote it";
     private static final String HOW_IT_IS = "tells people how it is; what a program needs of that are members";
+    private static final String OF_A_COMMAND = "is that of the command beside it, whose record has the code";
     private static final String OF_A_SEARCH = "explains what a search came to; nobody asked for what it tells of";
 
     /** Those without a code. */
@@ -39,7 +40,8 @@ class DescribedReasonsTest {
             Map.entry("StreamControlRefuseRequest.reason", OF_A_PERSON),
             Map.entry("StreamControlTakeOverRequest.reason", OF_A_PERSON),
             Map.entry("EndpointView.reason", "what the system says of a socket or a line"),
-            Map.entry("EventView.reason", "is that of the command beside it, whose record has the code"),
+            Map.entry("EventView.reason", OF_A_COMMAND),
+            Map.entry("NumberedEvent.reason", OF_A_COMMAND),
             Map.entry("DroneMissionView.notice", HOW_IT_IS),
             Map.entry("FollowView.note", HOW_IT_IS),
             Map.entry("RunDroneView.note", HOW_IT_IS),
