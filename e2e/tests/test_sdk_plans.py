@@ -49,9 +49,11 @@ def test_plan_is_found_and_flown_as_a_run(
     home = two[0][0]["home"]
     places = [offset(home["latitude"], home["longitude"], 30 + 20 * (i % 3), 20 * (i // 3)) for i in range(6)]
     wanted = [models.PlanWaypointRequest(latitude=lat, longitude=lon, altitude=15) for lat, lon in places]
-    plan = connected.plan(
-        models.PlanRequest(drones=[drone["id"] for drone, _ in two], waypoints=wanted, seconds=1)
-    )
+    ids = [drone["id"] for drone, _ in two]
+    for id in ids:
+        # A plan wants to know first how good the link is.
+        connected.drone(id).wait_for(lambda state: state.link.quality.loss_long is not None, 60)
+    plan = connected.plan(models.PlanRequest(drones=ids, waypoints=wanted, seconds=1))
     steps = list(plan.progress())
     assert steps[-1].state == "finished"
     assert plan.wait(10).result is not None
