@@ -8,7 +8,6 @@ process.once('SIGINT', () => stop.abort());
 
 await using dronemap = await connected();
 try {
-  await fill();
   for await (const change of dronemap.changes({ rate: 2, signal: stop.signal })) {
     if (change.type === 'drones') {
       drones.clear();
@@ -17,8 +16,6 @@ try {
       drones.set(change.drone.id, change.drone);
     } else if (change.type === 'droneRemoved') {
       drones.delete(change.id);
-    } else if (change.type === 'gap') {
-      await fill();
     }
     show();
   }
@@ -26,12 +23,6 @@ try {
   if (!stop.signal.aborted) {
     throw thrown;
   }
-}
-
-async function fill(): Promise<void> {
-  const { drones: all } = await dronemap.rest.listDrones({}, { signal: stop.signal });
-  drones.clear();
-  all.forEach((drone) => drones.set(drone.id, drone));
 }
 
 function show(): void {

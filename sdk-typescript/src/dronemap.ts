@@ -87,7 +87,7 @@ export class Dronemap implements AsyncDisposable {
 
   /** Whatever changes in sight of this user, over lost connections too; a `gap` says that some was missed. */
   changes(options: ChangesOptions = {}): AsyncIterable<Change> {
-    return readable(() => changesOf(this.#stream, options));
+    return readable(() => changesOf({ stream: this.#stream, rest: this.rest }, options));
   }
 
   /**

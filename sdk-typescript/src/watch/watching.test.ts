@@ -147,6 +147,21 @@ describe('changes', () => {
     await changes.return?.();
   });
 
+  it('begin with all drones, also for who comes later', async () => {
+    const first = all.dronemap.changes()[Symbol.asyncIterator]();
+    await first.next();
+    all.server.setDrone({ mode: 'RTL' });
+    await first.next();
+    const second = all.dronemap.changes({ drones: ['d1'] })[Symbol.asyncIterator]();
+    expect((await second.next()).value).toMatchObject({
+      type: 'drones',
+      drones: [{ id: 'd1', mode: 'RTL' }],
+    });
+    const none = all.dronemap.changes({ drones: ['d9'] })[Symbol.asyncIterator]();
+    expect((await none.next()).value).toEqual({ type: 'drones', drones: [] });
+    await Promise.all([first.return?.(), second.return?.(), none.return?.()]);
+  });
+
   it('tell each phase of a command, and to who reads slowly of a drone the newest', async () => {
     const [slow, quick] = [all.dronemap.changes(), all.dronemap.changes()].map((one) =>
       one[Symbol.asyncIterator](),

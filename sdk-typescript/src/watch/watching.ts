@@ -114,15 +114,23 @@ function applyTo(
   }
 }
 
-/** Whatever changes; of what has a state the newest, of commands and control each change. */
+/** All drones, then whatever changes; of what has a state the newest, of commands and control each change. */
 export async function* changesOf(
-  stream: SharedStream,
+  { stream, rest }: { readonly stream: SharedStream; readonly rest: RestOperations },
   { rate = DEFAULT_RATE, drones, signal }: ChangesOptions,
 ): AsyncGenerator<Change, void, undefined> {
   signal?.throwIfAborted();
   const queue = new NewestQueue<Change>(MOST_CHANGES);
+  const wasUp = stream.isUp;
   const remove = stream.add(changesWatcher(queue, drones ?? null, rate));
   try {
+    if (wasUp) {
+      // The stream has said them when it connected, for another reader.
+      const all = await orLater(rest.listDrones({}, { signal }));
+      if (all !== undefined) {
+        yield { type: 'drones', drones: all.drones.filter(({ id }) => drones?.includes(id) ?? true) };
+      }
+    }
     for (let next = await queue.next(signal); next !== undefined; next = await queue.next(signal)) {
       const lost = queue.takeLost();
       if (lost > 0) {
