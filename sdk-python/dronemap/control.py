@@ -23,6 +23,8 @@ OnExit = Literal["return_home", "land", "hold", "keep"]
 
 #: The server misses three of these before it calls a holder lost.
 _HEARTBEAT_SECONDS = 2.0
+_LONGEST_HEARTBEAT_SECONDS = 2.5
+_FOR_NOW = (408, 429)
 _COMMANDS = {"return_home": ReturnToLaunchCommand, "land": LandCommand, "hold": HoldCommand}
 
 
@@ -70,13 +72,21 @@ class AsyncControl:
 
     async def _leave(self) -> None:
         try:
-            if self._lost is None and self._drone.state.flight not in (None, "onGround"):
+            if self._lost is None and await self._is_in_the_air():
                 await self._come_down()
         finally:
             if self._beat is not None:
                 self._beat.cancel()
             if self._lost is None:
                 await self._rest.release_control(self._drone.id)
+
+    async def _is_in_the_air(self) -> bool:
+        """Asked for, since the stream may be cut; as it was told last where nobody answers."""
+        try:
+            state = await self._rest.get_drone(self._drone.id)
+        except DronemapError:
+            state = self._drone.state
+        return state.flight not in (None, "onGround")
 
     async def _come_down(self) -> None:
         command = _COMMANDS.get(self._on_exit)
@@ -93,11 +103,17 @@ class AsyncControl:
             await asyncio.sleep(_HEARTBEAT_SECONDS)
             try:
                 assert self._epoch is not None
-                control = await self._rest.keep_control(self._drone.id, ControlHeartbeatRequest(epoch=self._epoch))
+                # One that hangs in a dead connection must not keep the next one from being sent.
+                async with asyncio.timeout(_LONGEST_HEARTBEAT_SECONDS):
+                    control = await self._rest.keep_control(self._drone.id, ControlHeartbeatRequest(epoch=self._epoch))
                 # After a restart of the server it may be another one.
                 self._epoch = control.epoch
-            except (Problem, ServerLacks) as e:
+            except Problem as e:
+                # Without a judgement it is held still.
+                if 400 <= e.status < 500 and e.status not in _FOR_NOW:
+                    self._lost = e
+            except ServerLacks as e:
                 self._lost = e
-            except DronemapError:
+            except (DronemapError, TimeoutError):
                 # Nobody answered: it is held still, if the connection is back in time.
                 continue

@@ -64,6 +64,24 @@ def test_control_that_was_lost_commands_nothing_more(server: Dronemap, mock: Moc
     assert "DELETE " not in controls(mock)
 
 
+def test_server_that_cannot_answer_for_now_ends_no_control(mock: MockTransport) -> None:
+    id = mock.add_drone("alpha", flight="inAir")
+    with Dronemap.connect(transport=mock, patience=0.2) as server, server.drone().control() as drone:
+        away = {"status": 503, "code": "store-away", "detail": "The store is away."}
+        mock.answer("POST", f"/drones/{id}/control/heartbeat", away, 503)
+        _until_heartbeat(server, mock)
+        drone.land()
+    assert mock.commands[-1]["type"] == "land"
+    assert controls(mock)[-1] == "DELETE "
+
+
+def test_drone_whose_take_off_the_stream_did_not_tell_returns_home(server: Dronemap, mock: MockTransport) -> None:
+    id = mock.add_drone("alpha")
+    with server.drone().control():
+        mock._drones[id] |= {"flight": "inAir"}
+    assert mock.commands[-1]["type"] == "returnToLaunch"
+
+
 def _until_heartbeat(server: Dronemap, mock: MockTransport) -> None:
     async def answered() -> None:
         async with asyncio.timeout(10):
