@@ -86,7 +86,8 @@ class AsyncControl:
             state = await self._rest.get_drone(self._drone.id)
         except DronemapError:
             state = self._drone.state
-        return state.flight not in (None, "onGround")
+        # What comes down already is left alone; of what nobody knows where it is, motors that turn count.
+        return state.flight in ("takingOff", "inAir") or (state.flight is None and state.armed is True)
 
     async def _come_down(self) -> None:
         command = _COMMANDS.get(self._on_exit)

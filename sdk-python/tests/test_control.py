@@ -82,6 +82,19 @@ def test_drone_whose_take_off_the_stream_did_not_tell_returns_home(server: Drone
     assert mock.commands[-1]["type"] == "returnToLaunch"
 
 
+@pytest.mark.parametrize(
+    ("flight", "armed", "told"),
+    [("takingOff", True, True), ("landing", True, False), (None, True, True), (None, False, False)],
+)
+def test_only_what_is_up_is_told_to_return(
+    server: Dronemap, mock: MockTransport, flight: str | None, armed: bool, told: bool
+) -> None:
+    mock.add_drone("alpha", flight=flight, armed=armed)
+    with server.drone().control():
+        pass
+    assert [command["type"] for command in mock.commands] == ["returnToLaunch"] * told
+
+
 def _until_heartbeat(server: Dronemap, mock: MockTransport) -> None:
     async def answered() -> None:
         async with asyncio.timeout(10):
