@@ -93,9 +93,10 @@ class HttpTransport:
     ) -> HttpAnswer:
         headers = {"Content-Type": content_type} if content is not None and content_type else {}
         ask = functools.partial(self._http.request, method, path, params=dict(query), content=content)
+        shown = self._key
         try:
             answer = await ask(headers=headers | self._signed())
-            if answer.status_code == _NOT_SIGNED_IN and self._found_newer_key():
+            if answer.status_code == _NOT_SIGNED_IN and self._has_newer_key(shown):
                 answer = await ask(headers=headers | self._signed())
         except (httpx.ConnectError, httpx.ConnectTimeout, httpx.PoolTimeout) as e:
             raise Unreachable(f"{self._server.url} cannot be reached: {e or type(e).__name__}") from e
@@ -112,12 +113,12 @@ class HttpTransport:
     def _signed(self) -> dict[str, str]:
         return {"Authorization": f"Bearer {self._key}"} if self._key else {}
 
-    def _found_newer_key(self) -> bool:
+    def _has_newer_key(self, shown: str | None) -> bool:
+        """Than the one that was shown: another request may have found it meanwhile."""
         file = self._server.key_file
-        before = self._key
         if file is not None and file.exists():
             self._key = read_key(file)
-        return self._key != before
+        return self._key != shown
 
     def _stream_address(self, port: int) -> str:
         parts = urlsplit(self._server.url)
