@@ -12,10 +12,15 @@ from dronemap.transport import BASE, HttpTransport
 OLD, NEW = "old-key", "new-key"
 
 
-def transport_of(file: Path, key_that_counts: str) -> HttpTransport:
-    def answer(request: httpx.Request) -> httpx.Response:
-        good = request.headers["Authorization"] == f"Bearer {key_that_counts}"
-        return httpx.Response(200 if good else 401, json={})
+def transport_of(file: Path, key_that_counts: str, at_once: int = 1) -> HttpTransport:
+    """Whoever shows another key is refused once all have asked."""
+    all_asked = asyncio.Barrier(at_once)
+
+    async def answer(request: httpx.Request) -> httpx.Response:
+        if request.headers["Authorization"] == f"Bearer {key_that_counts}":
+            return httpx.Response(200, json={})
+        await all_asked.wait()
+        return httpx.Response(401, json={})
 
     made = HttpTransport(Server("http://127.0.0.1:1", OLD, key_file=file))
     made._http = httpx.AsyncClient(base_url=f"http://127.0.0.1:1{BASE}", transport=httpx.MockTransport(answer))
@@ -28,7 +33,7 @@ def test_requests_go_on_with_the_newer_key_of_the_file(tmp_path: Path, at_once: 
     file.write_text(f"{NEW}\n")
 
     async def statuses() -> list[int]:
-        made = transport_of(file, NEW)
+        made = transport_of(file, NEW, at_once)
         answers = await asyncio.gather(*(made.request("GET", "/drones", query={}) for _ in range(at_once)))
         return [answer.status for answer in answers]
 
@@ -38,5 +43,8 @@ def test_requests_go_on_with_the_newer_key_of_the_file(tmp_path: Path, at_once: 
 def test_key_that_counts_no_more_is_told(tmp_path: Path) -> None:
     file = tmp_path / "local-key"
     file.write_text(OLD)
-    answer = asyncio.run(transport_of(file, NEW).request("GET", "/drones", query={}))
-    assert answer.status == 401
+
+    async def status() -> int:
+        return (await transport_of(file, NEW).request("GET", "/drones", query={})).status
+
+    assert asyncio.run(status()) == 401
