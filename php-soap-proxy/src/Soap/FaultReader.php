@@ -12,6 +12,7 @@ use SoapFault;
 /** Makes a problem of a fault: the server's own with each of its members, or what became of the call on the way. */
 final readonly class FaultReader
 {
+    private const ENCODING = 'SOAP-ERROR: Encoding';
     private const NUMBERS = ['status', 'retryAfterSeconds'];
 
     /** @param bool $described whether the WSDL had been read, so that the call may have gone out */
@@ -23,7 +24,7 @@ final readonly class FaultReader
         }
         $reason = $fault->getMessage();
         // In these cases nothing of the call has left this machine.
-        if (!$described || $reason === 'Could not connect to host' || str_starts_with($reason, 'SOAP-ERROR: Encoding')) {
+        if (!$described || $reason === 'Could not connect to host' || str_starts_with($reason, self::ENCODING)) {
             return self::unsent($reason, $server);
         }
         return Problem::own(
@@ -38,7 +39,7 @@ final readonly class FaultReader
 
     private static function unsent(string $reason, string $server): Problem
     {
-        if (str_starts_with($reason, 'SOAP-ERROR: Encoding')) {
+        if (str_starts_with($reason, self::ENCODING)) {
             return Problem::own(422, 'invalid-value', 'value-malformed', 'A value is missing or out of range', $reason);
         }
         return Problem::own(

@@ -28,7 +28,8 @@ final readonly class SoapServer
             $client = $this->client($operation->service, $credential);
             $answer = $client->__soapCall($operation->name, [$arguments]);
         } catch (SoapFault $fault) {
-            throw FaultReader::problem($fault, $client?->__getLastResponse(), $client !== null, $this->settings->server);
+            $message = $client?->__getLastResponse();
+            throw FaultReader::problem($fault, $message, $client !== null, $this->settings->server);
         }
         return $answer->return ?? null;
     }
