@@ -35,7 +35,7 @@ final readonly class Page
         // Warnings would end up in the middle of JSON; php.ini says where they are logged.
         ini_set('display_errors', '0');
         try {
-            $settings = Settings::from(getenv());
+            $settings = Settings::ofEnvironment();
             $request = Request::received();
             (new OtherSites())->refuse($request);
             $sessions = new Sessions(new PhpSessionStore($settings->sessions, $request->secure));

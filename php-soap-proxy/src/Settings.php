@@ -21,6 +21,16 @@ final readonly class Settings
     ) {
     }
 
+    private const NAMES = [
+        'DRONEMAP_PHP_SERVER', 'DRONEMAP_PHP_AUTHORITY', 'DRONEMAP_PHP_SESSIONS', 'DRONEMAP_PHP_PATIENCE',
+    ];
+
+    /** Asked for one by one: so they may also be set for this page alone, by Apache's SetEnv or nginx's fastcgi_param. */
+    public static function ofEnvironment(): self
+    {
+        return self::from(array_filter(array_combine(self::NAMES, array_map(getenv(...), self::NAMES))));
+    }
+
     /** @param array<string, string> $environment */
     public static function from(array $environment): self
     {

@@ -36,7 +36,7 @@ def test_compose_schema_finds_planted_mistake(tmp_path: Path, planted: str) -> N
 
 def test_compose_file_publishes_on_loopback_only() -> None:
     services = yaml.safe_load(COMPOSE.read_text())["services"]
-    assert set(services) == {"server", "postgres", "mongo", "sitl"}
+    assert set(services) == {"server", "php", "postgres", "mongo", "sitl"}
     published = [port for service in services.values() for port in service.get("ports", [])]
     assert published
     assert all(port.startswith("127.0.0.1:") for port in published)
