@@ -138,6 +138,7 @@ def on_free_ports(path: Path, **settings: str) -> Checkout:
         "DRONEMAP_HTTP_PORT": str(free_port()),
         "DRONEMAP_STREAM_PORT": str(free_port()),
         "DRONEMAP_PHONE_PORT": str(free_port()),
+        "DRONEMAP_PHP_PORT": str(free_port()),
         "DRONEMAP_MAVLINK_UDP": str(free_port(socket.SOCK_DGRAM)),
         "DRONEMAP_MAVLINK_TCP": str(free_port()),
     }

@@ -11,6 +11,7 @@ import signal
 import stat
 import subprocess
 import time
+import urllib.error
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -117,6 +118,32 @@ def test_start_after_kill(built: Checkout) -> None:
 
 
 @pytest.mark.soak
+def test_php_page_is_started_and_stopped(built: Checkout) -> None:
+    address = f"http://127.0.0.1:{built.settings['DRONEMAP_PHP_PORT']}/"
+    outcome = built.run("up", "--php")
+    assert outcome.returncode == 0, outcome.stderr
+    assert f"PHP page: {address}" in outcome.stdout
+    assert "<html" in get(address)[1].lower()
+    with pytest.raises(urllib.error.HTTPError, match="401"):
+        get(address + "proxy.php?operation=arm")
+    assert address in built.run("status").stdout
+    php = pid_of(built, "php")
+    assert php in descendants(built.data)
+    server = pid_of(built, "server")
+    assert built.run("up", "--php").returncode == 0
+    assert (pid_of(built, "php"), pid_of(built, "server")) == (php, server)
+    without = built.run("up")
+    assert without.returncode == 0
+    assert "Stopping the PHP page" in without.stdout
+    assert pid_of(built, "server") == server
+    assert built.run("up", "--php").returncode == 0
+    assert built.run("down").returncode == 0
+    assert descendants(built.data) == set()
+    refused = built.run("up", "--php", "--public")
+    assert refused.returncode == 2
+    assert "--php is for this machine alone" in refused.stderr
+
+
 def test_up_takes_less_than_half_a_minute(built: Checkout) -> None:
     """On a machine with nothing else to do."""
     assert built.run("up").returncode == 0
