@@ -56,6 +56,8 @@ has_node() {
 
 has_venv() { python3 -c 'import venv, ensurepip' 2>/dev/null; }
 
+has_php_soap() { php -r 'exit(extension_loaded("soap") ? 0 : 1);' 2>/dev/null; }
+
 find_chromium() { command -v chromium || command -v chromium-browser || command -v google-chrome; }
 
 # What is missing, as Debian package names.
@@ -66,6 +68,7 @@ missing_packages() { # [for-tests]
     command -v ss >/dev/null || echo iproute2
     [[ -e /etc/ssl/certs/ca-certificates.crt || ! -e /etc/debian_version ]] || echo ca-certificates
     if ! has_node && [[ ! -x $TOOLS/node/bin/node ]] && ! has_venv; then echo python3-venv; fi
+    if [[ $WANT_PHP == true ]] && ! has_php_soap; then printf '%s\n' php-cli php-soap; fi
     [[ ${1:-} == for-tests ]] || return 0
     has_venv || echo python3-venv
     command -v git >/dev/null || echo git
@@ -73,10 +76,9 @@ missing_packages() { # [for-tests]
     command -v openssl >/dev/null || echo openssl
     find_chromium >/dev/null || echo chromium
     command -v certutil >/dev/null || echo libnss3-tools
-    php -r 'exit(extension_loaded("soap") ? 0 : 1);' 2>/dev/null || printf '%s\n' php-cli php-soap
-    if compgen -G "$ROOT/php-*/composer.json" >/dev/null; then
-        command -v phpunit >/dev/null || printf '%s\n' php-cli php-soap phpunit
-    fi
+    has_php_soap || printf '%s\n' php-cli php-soap
+    command -v phpunit >/dev/null || printf '%s\n' phpunit php-xml
+    command -v phpcs >/dev/null || echo php-codesniffer
     missing_ros
 }
 

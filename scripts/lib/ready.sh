@@ -104,6 +104,7 @@ print_welcome() {
     fi
     if [[ $PUBLIC == true ]]; then note "Open to the network. Certificate (SHA-256): $(fingerprint)"; fi
     if [[ -n $AUTHORITY ]]; then note "For phones: $(phone_address) (fingerprint there: $(fingerprint "$AUTHORITY"))"; fi
+    if is_running php; then note "PHP page: $(php_address)"; fi
     note "Drones: $(json_value live "$answer") live, $(json_value ready "$answer") ready to be armed, $(json_value armed "$answer") armed. Vehicles connect to: ${ENDPOINTS//,/ }"
     note "Go on with: ./dronemap status | logs | down | help"
 }
@@ -143,6 +144,7 @@ command_status() {
         Database "$(json_value database "$answer")" History "$(json_value history "$answer")" \
         Parts "$(what_is_down "$answer")"
     if is_running sim; then printf '%-9s %s\n' Demo "$FLEET_COUNT simulated drones (process $(pid_of sim))"; else printf '%-9s none\n' Demo; fi
+    if is_running php; then printf '%-9s %s\n' PHP "$(php_address) (process $(pid_of php))"; fi
     free=$(free_megabytes "$DATA")
     printf '%-9s %s\n' Data "$DATA ($free MB free)" Build "$(is_built && echo 'up to date' || echo 'older than the sources: ./dronemap up builds anew')"
     if ((free < 100)); then warn "The disk that holds $DATA is nearly full. Make room, or the server can store nothing more."; fi

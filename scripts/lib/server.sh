@@ -27,6 +27,7 @@ read_up_options() {
     while (($# > 0)); do
         case $1 in
             --no-demo) DEMO=false ;;
+            --php) WANT_PHP=true ;;
             --foreground) FOREGROUND=true ;;
             --public) WANT_PUBLIC=true ;;
             --cert) CERTIFICATE=$(option_file "$@") && shift || exit ;;
@@ -35,6 +36,9 @@ read_up_options() {
         esac
         shift
     done
+    if [[ $WANT_PHP == true && $WANT_PUBLIC == true ]]; then
+        fail "$EXIT_USAGE" "--php is for this machine alone. With --public let a web server with TLS run the page: php-soap-proxy/README.md"
+    fi
     if [[ -n $CERTIFICATE$PRIVATE_KEY ]]; then
         [[ $WANT_PUBLIC == true ]] || fail "$EXIT_USAGE" "--cert and --key go with --public."
         [[ -n $CERTIFICATE && -n $PRIVATE_KEY ]] || fail "$EXIT_USAGE" "--cert and --key go together."
@@ -68,6 +72,7 @@ start_everything() {
     else
         stop_fleet
     fi
+    if [[ $WANT_PHP == true ]]; then start_php; else stop_php; fi
     print_welcome
 }
 
@@ -79,7 +84,7 @@ run_description() {
 
 # Hashed, as the address of a database may hold its password.
 hash_of_environment() {
-    env | grep '^DRONEMAP_' | grep -vE '^DRONEMAP_(TEST_|SITL_|CHROMIUM|TLS_)' | sort | sha256sum | cut -c 1-16
+    env | grep '^DRONEMAP_' | grep -vE '^DRONEMAP_(TEST_|SITL_|CHROMIUM|TLS_|PHP_)' | sort | sha256sum | cut -c 1-16
 }
 
 # The first start makes a database; later ones only need room to write.
@@ -171,17 +176,17 @@ keep_small() { # LOG
 pid_of() { cat "$DATA/$1.pid" 2>/dev/null || true; }
 
 # A process id can be given anew after a crash: the command line must be ours too.
-is_running() { # supervisor|server|sim
+is_running() { # supervisor|server|sim|php
     local pid
     pid=$(pid_of "$1")
-    [[ -n $pid && -r /proc/$pid/cmdline ]] && tr '\0' ' ' <"/proc/$pid/cmdline" | grep -qF -- "-Ddronemap.checkout=$DATA "
+    [[ -n $pid && -r /proc/$pid/cmdline ]] && tr '\0' ' ' <"/proc/$pid/cmdline" | grep -qiF -- "-Ddronemap.checkout=$DATA "
 }
 
 command_down() {
     (($# == 0)) || fail "$EXIT_USAGE" "down takes no options. See ./dronemap help"
     load_settings
-    if ! is_supervised && ! is_running sim; then
-        rm -f "$DATA/supervisor.pid" "$DATA/server.pid" "$DATA/sim.pid"
+    if ! is_supervised && ! is_running sim && ! is_running php; then
+        rm -f "$DATA"/{supervisor,server,sim,php}.pid
         stop_orphaned_database
         step "Dronemap is not running"
         return
@@ -203,6 +208,7 @@ warn_of_armed_drones() {
 }
 
 stop_everything() {
+    stop_php
     stop_fleet
     # It hands the signal on, and ends when the server has.
     stop_process supervisor 40
@@ -254,7 +260,7 @@ command_logs() {
     while (($# > 0)); do
         case $1 in
             -f | --follow) follow=(-F) ;;
-            server | sim | build) what=$1 ;;
+            server | sim | php | build) what=$1 ;;
             *) fail "$EXIT_USAGE" "logs does not know '$1'. See ./dronemap help" ;;
         esac
         shift

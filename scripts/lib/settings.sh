@@ -10,6 +10,7 @@ load_settings() {
     HTTP_PORT=$(port_setting DRONEMAP_HTTP_PORT 8080) || exit
     STREAM_PORT=$(port_setting DRONEMAP_STREAM_PORT 8081) || exit
     PHONE_PORT=$(port_setting DRONEMAP_PHONE_PORT 8082) || exit
+    PHP_PORT=$(port_setting DRONEMAP_PHP_PORT 8083) || exit
     MAVLINK_UDP=$(port_setting DRONEMAP_MAVLINK_UDP 14550) || exit
     MAVLINK_TCP=$(port_setting DRONEMAP_MAVLINK_TCP 5760) || exit
     LOGS=$DATA/logs

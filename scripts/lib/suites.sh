@@ -49,6 +49,7 @@ soak_everything() {
 suite_small() {
     suite_shell
     suite_typescript
+    suite_php
     suite_python_checks
     suite_pytest "not soak" needs_no_jars
     suite_scripts without_jars -n "$(workers_beside)"
@@ -99,7 +100,7 @@ prepare_suites() {
     : >"$RESULTS"
     SUITES_STARTED=$SECONDS
     # The tests choose their own ports and folders.
-    unset DRONEMAP_DATA_DIR DRONEMAP_HTTP_PORT DRONEMAP_STREAM_PORT DRONEMAP_MAVLINK_UDP DRONEMAP_MAVLINK_TCP DRONEMAP_ENDPOINTS DRONEMAP_OUTLET DRONEMAP_OUTLET_PORTS DRONEMAP_PHONE_PORT DRONEMAP_NAMES
+    unset DRONEMAP_DATA_DIR DRONEMAP_HTTP_PORT DRONEMAP_STREAM_PORT DRONEMAP_MAVLINK_UDP DRONEMAP_MAVLINK_TCP DRONEMAP_ENDPOINTS DRONEMAP_OUTLET DRONEMAP_OUTLET_PORTS DRONEMAP_PHONE_PORT DRONEMAP_PHP_PORT DRONEMAP_NAMES
     DRONEMAP_CHROMIUM=$(find_chromium)
     export DRONEMAP_CHROMIUM
 }
@@ -249,6 +250,15 @@ suite_statuses() {
     check statuses "each that is listed was seen" "$PYTHON/python" "$ROOT/scripts/listed_statuses.py" \
         "$tests/wire/openapi.json" "$tests/unseen-statuses.txt" "$DRONEMAP_SEEN_STATUSES"
 }
+
+suite_php() {
+    check php "syntax" in_php bash -c 'git ls-files "*.php" | xargs -n 1 php -l'
+    check php "form" in_php phpcs
+    check php "contract as the WSDL gives it" in_php bash -c 'php bin/write-contract.php && git diff --exit-code src/Contract/contract.php'
+    counted php units "$TEST_LOGS/phpunit.xml" in_php phpunit --exclude-group server --log-junit "$TEST_LOGS/phpunit.xml"
+}
+
+in_php() { env -C "$ROOT/php-soap-proxy" "$@"; } # COMMAND…
 
 # Every folder with a pyproject.toml is a Python project, checked and run by its own settings.
 python_projects() {
