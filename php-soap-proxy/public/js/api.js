@@ -2,9 +2,10 @@
 /** Calls of the two PHP programs beside this page. Nothing else is called from here. */
 
 const TOKEN = 'dronemap-token';
-const ANSWER_MILLISECONDS = 20_000;
+/** Longer than the proxy waits for the server, which knows more about what happened. */
+const ANSWER_MILLISECONDS = 30_000;
 
-/** @typedef {{ user: string, expires: string, role?: string, token?: string }} Session */
+/** @typedef {{ user: string | null, expires: string, token?: string }} Session `user` null: signed in by a key */
 
 /** A request that was answered, and not carried out; `message` is the sentence for people. */
 export class Problem extends Error {
@@ -19,9 +20,14 @@ export class Problem extends Error {
 /** A request without an answer: it may have arrived. */
 export class NoAnswer extends Error {}
 
-/** Whether nobody can tell from this alone if a request was carried out. @param {unknown} error */
-export function isUncertain(error) {
-  return error instanceof NoAnswer || (error instanceof Problem && error.status >= 500);
+/** Whether nothing of the request has reached the Dronemap server. @param {unknown} error */
+export function isUnsent(error) {
+  return isSignedOut(error) || (error instanceof Problem && error.code === 'proxy-server-unreachable');
+}
+
+/** Whether the way to the server is broken, or the server itself; else it has answered and refused. @param {unknown} error */
+export function isBroken(error) {
+  return !(error instanceof Problem) || error.status >= 500 || isSignedOut(error);
 }
 
 /** @param {unknown} error */

@@ -1,6 +1,6 @@
 // @ts-check
 /** Commands from the press of a button to an outcome in words; none is forgotten before it has one. */
-import { isSignedOut, isUncertain, Problem, sentenceOf } from './api.js';
+import { isBroken, isSignedOut, isUnsent, Problem, sentenceOf } from './api.js';
 
 /**
  * @typedef {'busy' | 'succeeded' | 'refused' | 'failed' | 'timedOut' | 'superseded' | 'unknown' | 'notSent'} Result
@@ -119,7 +119,8 @@ export class Commands {
     } else {
       const part = progress ? ` ${progress.done} of ${progress.total}` : '';
       entry.result = 'busy';
-      entry.words = phase === 'accepted' ? `Accepted${part}, under way…` : `Sent${part}, waiting for the drone…`;
+      entry.words =
+        phase === 'accepted' ? `Accepted${part}, under way…` : `Sent${part}, waiting for the drone…`;
     }
     const [warning] = view.warnings ?? [];
     entry.words += warning === undefined ? '' : ` Note: ${warning}`;
@@ -130,7 +131,9 @@ export class Commands {
   #fail(entry, error) {
     if (isSignedOut(error)) {
       this.#close(entry, 'notSent', 'Not sent: your session has ended. Sign in, then press again.');
-    } else if (isUncertain(error)) {
+    } else if (isUnsent(error)) {
+      this.#close(entry, 'notSent', `Not sent: ${sentenceOf(error)}`);
+    } else if (isBroken(error)) {
       this.#doubt(entry, error);
     } else {
       this.#close(entry, 'refused', `Refused by the server, nothing was sent: ${sentenceOf(error)}`);
@@ -139,12 +142,20 @@ export class Commands {
 
   /** @param {Entry} entry @param {unknown} error @param {number} denials how often the server did not know it */
   #unanswered(entry, error, denials) {
-    if (isUncertain(error) || isSignedOut(error)) {
+    if (isBroken(error) || isTooOften(error)) {
       this.#doubt(entry, error);
     } else if (!isDenial(error)) {
-      this.#close(entry, 'unknown', `What became of it cannot be asked: ${sentenceOf(error)} Look at the drone.`);
+      this.#close(
+        entry,
+        'unknown',
+        `What became of it cannot be asked: ${sentenceOf(error)} Look at the drone.`,
+      );
     } else if (denials >= ENOUGH_DENIALS && entry.sent) {
-      this.#close(entry, 'unknown', 'The server does not know any more what became of it. Look at the drone.');
+      this.#close(
+        entry,
+        'unknown',
+        'The server does not know any more what became of it. Look at the drone.',
+      );
     } else if (denials >= ENOUGH_DENIALS) {
       const words = 'Not carried out: it did not reach the server. Press again if you still mean it.';
       this.#close(entry, 'notSent', words);
@@ -174,6 +185,11 @@ function isDenial(error) {
   return error instanceof Problem && error.code === 'command-unknown';
 }
 
+/** @param {unknown} error */
+function isTooOften(error) {
+  return error instanceof Problem && error.status === 429;
+}
+
 /** @param {string} sentence */
 function uncertainWords(sentence) {
   return `Not known whether it was carried out: ${sentence} ${LOOK}`;
@@ -194,6 +210,9 @@ function outcomeOf(operation, { result, by, reason }) {
     case 'superseded':
       return [result, `Replaced by a newer command${why}`];
     default:
-      return ['unknown', `Not known whether it was carried out${why} Look at the drone before you press again.`];
+      return [
+        'unknown',
+        `Not known whether it was carried out${why} Look at the drone before you press again.`,
+      ];
   }
 }

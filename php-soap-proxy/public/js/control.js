@@ -1,6 +1,6 @@
 // @ts-check
 /** Control of drones that this page has taken on purpose, and keeps by heartbeats. */
-import { isSignedOut, isUncertain, sentenceOf } from './api.js';
+import { isBroken, sentenceOf } from './api.js';
 
 /** @typedef {import('./drone.js').Drone} Drone */
 
@@ -70,7 +70,7 @@ export class Control {
       this.problems.delete(drone);
     } catch (error) {
       this.problems.set(drone, sentenceOf(error));
-      if (!isUncertain(error) && !isSignedOut(error)) {
+      if (!isBroken(error)) {
         this.#kept.delete(drone);
       }
     }
@@ -79,7 +79,7 @@ export class Control {
   }
 }
 
-/** Who commands the drone, in a sentence. @param {Drone} drone @param {string} user @param {boolean} kept by this page */
+/** Who commands the drone, in a sentence. @param {Drone} drone @param {string | null} user @param {boolean} kept by this page */
 export function controlText({ control }, user, kept) {
   if (control.state === 'pilot') {
     return 'The pilot at the vehicle, or another ground station, commands it.';
@@ -87,11 +87,11 @@ export function controlText({ control }, user, kept) {
   if (control.state === 'free') {
     return 'Nobody has control; your first command takes it.';
   }
-  if (control.holder !== user) {
-    return `${control.holder} has control.`;
-  }
   if (kept) {
     return 'You have control while this page is open and in sight.';
+  }
+  if (control.holder !== user) {
+    return `${control.holder} has control.`;
   }
   return control.explicit
     ? 'You have control, taken elsewhere.'

@@ -50,7 +50,9 @@ export function scaleBar(view) {
 /** @param {View} view @param {readonly Place[]} places @param {string} name */
 export function line(view, places, name) {
   const points = places.map((place) => view.toPixels(place));
-  const d = points.map(({ x, y }, index) => `${index === 0 ? 'M' : 'L'}${x.toFixed(1)} ${y.toFixed(1)}`).join('');
+  const d = points
+    .map(({ x, y }, index) => `${index === 0 ? 'M' : 'L'}${x.toFixed(1)} ${y.toFixed(1)}`)
+    .join('');
   return points.length < 2 ? [] : [svg('path', { class: name, d })];
 }
 
@@ -68,7 +70,9 @@ export function numbered(view, place, name, text) {
 /** The mission on board: its way, and which places were reached. @param {View} view @param {Drone} drone */
 export function boardMission(view, { mission }) {
   const reached = new Set(mission.reached ?? []);
-  const waypoints = (mission.items ?? []).flatMap((item, index) => (item.waypoint ? [{ ...item.waypoint, index }] : []));
+  const waypoints = (mission.items ?? []).flatMap((item, index) =>
+    item.waypoint ? [{ ...item.waypoint, index }] : [],
+  );
   const dots = waypoints.map((waypoint, index) => {
     const done = reached.has(waypoint.index);
     const next = mission.running && mission.current === waypoint.index;
@@ -116,15 +120,18 @@ export function droneMarks(view, drones, chosen) {
   });
   placed.sort((one, other) => Number(one.drone.id === chosen) - Number(other.drone.id === chosen));
   const taken = placed.map(({ point }) => box(point.x - 15, point.y - 15, 30, 30));
-  return placed.reverse().map(({ drone, point }) => {
-    const isChosen = drone.id === chosen;
-    return svg(
-      'g',
-      { class: `drone ${markOf(drone)}${isChosen ? ' chosen' : ''}`, 'data-drone': drone.id },
-      ...symbol(drone, point, isChosen),
-      ...label(drone, point, taken),
-    );
-  }).reverse();
+  return placed
+    .reverse()
+    .map(({ drone, point }) => {
+      const isChosen = drone.id === chosen;
+      return svg(
+        'g',
+        { class: `drone ${markOf(drone)}${isChosen ? ' chosen' : ''}`, 'data-drone': drone.id },
+        ...symbol(drone, point, isChosen),
+        ...label(drone, point, taken),
+      );
+    })
+    .reverse();
 }
 
 /** @param {Drone} drone */
@@ -166,7 +173,11 @@ function label(drone, { x, y }, taken) {
   taken.push(free);
   return [
     svg('rect', { class: 'pill', x: free.x, y: free.y, width: free.width, height: free.height, rx: 6 }),
-    svg('text', { class: 'label', x: free.x + free.width / 2, y: free.y + 15.5, 'text-anchor': 'middle' }, text),
+    svg(
+      'text',
+      { class: 'label', x: free.x + free.width / 2, y: free.y + 15.5, 'text-anchor': 'middle' },
+      text,
+    ),
   ];
 }
 

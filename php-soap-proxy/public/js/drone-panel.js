@@ -23,7 +23,7 @@ import { holdToConfirm } from './hold.js';
  * @typedef {import('./geo.js').Place} Place
  * @typedef {{
  *   commands: import('./commands.js').Commands, control: import('./control.js').Control,
- *   chosen(): Drone | null, target(): Place | null, setTarget(place: Place | null): void, user(): string,
+ *   chosen(): Drone | null, target(): Place | null, setTarget(place: Place | null): void, user(): string | null,
  *   whyNoCommand(): string | null, now(): number,
  * }} Page
  */
@@ -43,10 +43,24 @@ export class DronePanel {
     this.#page = page;
     this.button('arm', 'arm', 'arm', () => this.#arm());
     this.button('disarm', 'disarm', 'disarm', () => this.send('disarm', 'Disarm'));
-    this.button('take-off', 'takeoff', 'takeOff', () => this.#takeOff(), () => whyNoNumber('take-off-height'));
-    this.button('fly', 'goto', 'goTo', () => this.#fly(), () => this.#whyNoTarget());
+    this.button(
+      'take-off',
+      'takeoff',
+      'takeOff',
+      () => this.#takeOff(),
+      () => whyNoNumber('take-off-height'),
+    );
+    this.button(
+      'fly',
+      'goto',
+      'goTo',
+      () => this.#fly(),
+      () => this.#whyNoTarget(),
+    );
     this.button('hold', 'hold', 'hold', () => this.send('hold', 'Hold'));
-    this.button('return', 'returnToLaunch', 'returnToLaunch', () => this.send('returnToLaunch', 'Return to launch'));
+    this.button('return', 'returnToLaunch', 'returnToLaunch', () =>
+      this.send('returnToLaunch', 'Return to launch'),
+    );
     this.button('land', 'land', 'land', () => this.send('land', 'Land'));
     byId('fly-cancel').addEventListener('click', () => page.setTarget(null));
     byId('fly-place').addEventListener('change', () => {
@@ -72,7 +86,9 @@ export class DronePanel {
     };
     if (button.classList.contains('hold')) {
       const label = byId(`${name}-name`);
-      holdToConfirm(button, pressed, () => this.say(`Nothing was sent: hold “${label.textContent}” until its ring is full.`));
+      holdToConfirm(button, pressed, () =>
+        this.say(`Nothing was sent: hold “${label.textContent}” until its ring is full.`),
+      );
     } else {
       button.addEventListener('click', () => button.getAttribute('aria-disabled') === 'true' || pressed());
     }
@@ -118,7 +134,11 @@ export class DronePanel {
       const altitude = byId('fly-height').valueAsNumber;
       const { latitude, longitude } = target;
       this.#page.setTarget(null);
-      await this.send('goto', `Fly to ${placeText(target)} at ${altitude} m`, { latitude, longitude, altitude });
+      await this.send('goto', `Fly to ${placeText(target)} at ${altitude} m`, {
+        latitude,
+        longitude,
+        altitude,
+      });
     }
   }
 
@@ -194,7 +214,8 @@ export class DronePanel {
     const { outlook } = drone;
     const returnsAt = outlook?.returnsAt ?? null;
     const left = returnsAt === null ? '' : ` In ${spanText(Date.parse(returnsAt) - this.#page.now())}.`;
-    const isDue = outlook !== null && outlook !== undefined && outlook.state !== 'kept' && outlook.state !== 'leftAlone';
+    const isDue =
+      outlook !== null && outlook !== undefined && outlook.state !== 'kept' && outlook.state !== 'leftAlone';
     setText(byId('outlook'), isDue ? `${outlook.then}${left}` : '');
   }
 
@@ -205,7 +226,10 @@ export class DronePanel {
     byId('fly-hint').hidden = target !== null;
     const from = placeOf(drone);
     if (target !== null) {
-      setText(byId('fly-away'), from === null ? '' : `${metersText(distanceMeters(from, target))} from where it is`);
+      setText(
+        byId('fly-away'),
+        from === null ? '' : `${metersText(distanceMeters(from, target))} from where it is`,
+      );
     }
   }
 
@@ -241,7 +265,13 @@ export class DronePanel {
       byId('log'),
       entries,
       (entry) => entry.id,
-      () => html('li', {}, html('span', { class: 'symbol', 'aria-hidden': 'true' }), html('p', {}, html('b'), html('span'))),
+      () =>
+        html(
+          'li',
+          {},
+          html('span', { class: 'symbol', 'aria-hidden': 'true' }),
+          html('p', {}, html('b'), html('span')),
+        ),
       (child, entry) => {
         setAttribute(child, 'data-result', entry.result);
         setText(child.querySelector('.symbol'), SYMBOLS[entry.result] ?? '!');

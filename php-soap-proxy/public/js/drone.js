@@ -84,7 +84,9 @@ export function statusOf(drone, now) {
 
 /** @param {Drone} drone */
 function flightStatus({ flight, armed }) {
-  const words = { takingOff: 'Taking off', inAir: 'Flying', landing: 'Landing', onGround: '' }[flight ?? 'onGround'];
+  const words = { takingOff: 'Taking off', inAir: 'Flying', landing: 'Landing', onGround: '' }[
+    flight ?? 'onGround'
+  ];
   if (words !== '') {
     return status(words, 'good');
   }

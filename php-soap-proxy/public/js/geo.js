@@ -39,7 +39,6 @@ export function placeText({ latitude, longitude }) {
 export function parsePlace(text) {
   const parts = text.trim().split(/[\s,;]+/);
   const [latitude, longitude] = parts.map(Number);
-  const right =
-    parts.length === 2 && Math.abs(Number(latitude)) <= 90 && Math.abs(Number(longitude)) <= 180;
+  const right = parts.length === 2 && Math.abs(Number(latitude)) <= 90 && Math.abs(Number(longitude)) <= 180;
   return right ? { latitude: Number(latitude), longitude: Number(longitude) } : null;
 }

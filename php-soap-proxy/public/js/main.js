@@ -23,7 +23,8 @@ const TRACK_METERS = 0.5;
 const TOOL_HINTS = {
   look: 'Click a drone to choose it. Drag to move, turn the wheel or pinch to zoom.',
   fly: 'Click the place that the drone shall fly to; nothing is sent before you confirm it.',
-  waypoints: 'Click to add waypoints, drag them to move them. By keyboard: arrows move the map, Enter adds at its middle.',
+  waypoints:
+    'Click to add waypoints, drag them to move them. By keyboard: arrows move the map, Enter adds at its middle.',
 };
 
 const api = new Api();
@@ -33,7 +34,8 @@ const control = new Control(api, update);
 const drafts = new Drafts();
 /** @type {Map<string, Place[]>} */
 const tracks = new Map();
-let user = '';
+/** Null: signed in by an access key, which does not say whose it is. @type {string | null} */
+let user = null;
 /** @type {string | null} */
 let chosenId = sessionStorage.getItem(CHOSEN);
 /** @type {Place | null} */
@@ -56,7 +58,9 @@ const map = new FlightMap({
   ...{ choose, setTarget },
   addWaypoint: (place) => missionPanel.add(place),
   moveWaypoint: (key, { latitude, longitude }) => {
-    const waypoints = draft().waypoints.map((one) => (one.key === key ? { ...one, latitude, longitude } : one));
+    const waypoints = draft().waypoints.map((one) =>
+      one.key === key ? { ...one, latitude, longitude } : one,
+    );
     setDraft({ ...draft(), waypoints });
   },
 });
@@ -94,10 +98,13 @@ function setTarget(place) {
   update();
 }
 
+/** Also while a question is still waiting for its answer: the server may hang. */
+function isStale() {
+  return fleet.answeredAt !== null && Date.now() - fleet.answeredAt > STALE_MILLISECONDS;
+}
+
 function whyNoCommand() {
-  return fleet.problem === null || Date.now() - (fleet.answeredAt ?? 0) < STALE_MILLISECONDS
-    ? null
-    : 'No connection to the server.';
+  return isStale() ? 'No connection to the server.' : null;
 }
 
 function update() {
@@ -128,14 +135,18 @@ function remember(drone) {
 
 function renderConnection() {
   const { problem, answeredAt, waitMilliseconds } = fleet;
+  const broken = problem !== null || isStale();
   const line = byId('connection');
-  const age = answeredAt === null ? '' : ` for ${spanText(Date.now() - answeredAt)}; what is shown is that old`;
-  setAttribute(line, 'data-tone', problem === null ? 'good' : 'act');
-  setText(line, problem === null ? (answeredAt === null ? 'Connecting…' : '● Connected') : '▲ No connection');
-  byId('trouble').hidden = problem === null;
-  setText(byId('trouble'), problem === null ? '' : `No connection to the drones${age}. ${problem}`);
-  setText(byId('trouble-next'), problem === null ? '' : `Asked again every ${waitMilliseconds / 1000} s.`);
-  byId('station').classList.toggle('stale', problem !== null);
+  setAttribute(line, 'data-tone', broken ? 'act' : 'good');
+  setText(line, broken ? '▲ No connection' : answeredAt === null ? 'Connecting…' : '● Connected');
+  byId('trouble').hidden = !broken;
+  const why = problem ?? 'The Dronemap server does not answer.';
+  const again = problem === null ? 'Still waiting.' : `Asked again every ${waitMilliseconds / 1000} s.`;
+  setText(byId('trouble-why'), broken ? `No connection to the drones. ${why} ${again}` : '');
+  // Not read out each second.
+  const age = answeredAt === null ? '' : `What is shown is ${spanText(Date.now() - answeredAt)} old.`;
+  setText(byId('trouble-age'), broken ? age : '');
+  byId('station').classList.toggle('stale', broken);
 }
 
 function renderTool() {
@@ -149,7 +160,7 @@ function renderTool() {
 /** @param {import('./api.js').Session} session */
 function begin(session) {
   ({ user } = session);
-  setText(byId('who'), user);
+  setText(byId('who'), user ?? 'by access key');
   signIn.hide();
   fleet.start();
   update();

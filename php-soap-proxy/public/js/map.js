@@ -93,7 +93,9 @@ export class FlightMap {
     const track = chosen === null ? [] : (tracks.get(chosen.id) ?? []);
     this.#root.replaceChildren(
       ...drawing.grid(view),
-      ...[...tracks].flatMap(([id, places]) => (id === chosen?.id ? [] : drawing.line(view, places, 'track'))),
+      ...[...tracks].flatMap(([id, places]) =>
+        id === chosen?.id ? [] : drawing.line(view, places, 'track'),
+      ),
       ...drawing.line(view, track, 'track chosen'),
       ...(chosen === null ? [] : drawing.boardMission(view, chosen)),
       ...this.#draftMarks(draft),

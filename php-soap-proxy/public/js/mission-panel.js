@@ -21,10 +21,22 @@ export class MissionPanel {
   constructor(page, panel) {
     this.#page = page;
     this.#panel = panel;
-    panel.button('save', 'uploadMission', 'uploadMission', () => this.#save(), () => this.#whyNoSave());
-    panel.button('start', 'startMission', 'startMission', () => panel.send('startMission', startName(page.chosen())));
-    panel.button('pause', 'pauseMission', 'pauseMission', () => panel.send('pauseMission', 'Pause the mission'));
-    panel.button('clear', 'clearMission', 'clearMission', () => panel.send('clearMission', 'Delete the mission on the drone'));
+    panel.button(
+      'save',
+      'uploadMission',
+      'uploadMission',
+      () => this.#save(),
+      () => this.#whyNoSave(),
+    );
+    panel.button('start', 'startMission', 'startMission', () =>
+      panel.send('startMission', startName(page.chosen())),
+    );
+    panel.button('pause', 'pauseMission', 'pauseMission', () =>
+      panel.send('pauseMission', 'Pause the mission'),
+    );
+    panel.button('clear', 'clearMission', 'clearMission', () =>
+      panel.send('clearMission', 'Delete the mission on the drone'),
+    );
     byId('load').addEventListener('click', () => this.#load());
     byId('discard').addEventListener('click', () => page.setDraft(missions.emptyDraft()));
     byId('ending').addEventListener('change', () => {
@@ -76,8 +88,14 @@ export class MissionPanel {
     const draft = this.#page.draft();
     const empty = draft.waypoints.length === 0 && draft.leftOut === 0;
     const onBoard = !empty && missions.isOnBoard(draft, drone.mission.items ?? []);
-    setText(byId('on-board'), [missions.onBoardText(drone.mission), drone.mission.notice].filter(Boolean).join(' '));
-    setText(byId('draft-state'), empty ? 'No draft' : onBoard ? 'Saved on the drone' : 'Draft · not on the drone');
+    setText(
+      byId('on-board'),
+      [missions.onBoardText(drone.mission), drone.mission.notice].filter(Boolean).join(' '),
+    );
+    setText(
+      byId('draft-state'),
+      empty ? 'No draft' : onBoard ? 'Saved on the drone' : 'Draft · not on the drone',
+    );
     setAttribute(byId('draft-state'), 'data-tone', empty ? 'neutral' : onBoard ? 'good' : 'planned');
     setText(byId('start-name'), startName(drone));
     byId('start-warning').hidden = empty || onBoard || whyNot(drone, 'startMission') !== null;
@@ -97,7 +115,14 @@ export class MissionPanel {
   #row(key) {
     const number = html('span', { class: 'number', 'aria-hidden': 'true' });
     const place = html('input', { class: 'place', type: 'text', spellcheck: 'false', autocomplete: 'off' });
-    const height = html('input', { class: 'height', type: 'number', min: '-500', max: '10000', step: 'any', required: '' });
+    const height = html('input', {
+      class: 'height',
+      type: 'number',
+      min: '-500',
+      max: '10000',
+      step: 'any',
+      required: '',
+    });
     place.addEventListener('change', () => {
       const parsed = parsePlace(place.value);
       place.setAttribute('aria-invalid', String(parsed === null));
@@ -133,7 +158,10 @@ export class MissionPanel {
     const name = `Waypoint ${index + 1}`;
     setText(number, String(index + 1));
     setText(unit, waypoint.altitudeReference === 'amsl' ? 'm AMSL' : 'm');
-    for (const [field, text] of [[place, placeText(waypoint)], [height, String(waypoint.altitude)]]) {
+    for (const [field, text] of [
+      [place, placeText(waypoint)],
+      [height, String(waypoint.altitude)],
+    ]) {
       // What somebody is writing is left alone.
       if (field !== document.activeElement && field.value !== text) {
         field.value = text;

@@ -66,7 +66,7 @@ export class View {
     const [left, right] = extent(points.map((point) => point.x));
     const [top, bottom] = extent(points.map((point) => point.y));
     this.center = { x: (left + right) / 2, y: (top + bottom) / 2 };
-    const least = (LEAST_METERS / this.metersPerPixel / this.scale);
+    const least = LEAST_METERS / this.metersPerPixel / this.scale;
     const across = (this.width - 2 * MARGIN_PIXELS) / Math.max(right - left, least);
     const down = (this.height - 2 * MARGIN_PIXELS) / Math.max(bottom - top, least);
     this.scale = Math.min(MOST_SCALE, Math.max(LEAST_SCALE, Math.min(across, down)));
