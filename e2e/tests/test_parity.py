@@ -23,6 +23,7 @@ from dronemap_e2e.faces import (
 )
 from dronemap_e2e.flight import items, triangle
 from dronemap_e2e.ground_station import new_user
+from dronemap_e2e.php_face import PhpFace
 from dronemap_e2e.server import Server
 from dronemap_e2e.vehicles import Vehicles
 from dronemap_e2e.waiting import wait_for
@@ -34,6 +35,7 @@ FACES: dict[str, Callable[[Server, str, Path], Face]] = {
     "Python": lambda server, key, folder: PythonFace(server, key),
     "TypeScript": lambda server, key, folder: TypeScriptFace(server, key),
     "dronectl": CommandLineFace,
+    "PHP": PhpFace,
 }
 
 

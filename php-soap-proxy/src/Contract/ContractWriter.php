@@ -81,10 +81,10 @@ final class ContractWriter
     private function typesOf(array $types, WsdlReader $wsdl): void
     {
         foreach ($types as $type) {
-            $name = preg_replace('/^(list of |map of )+/', '', Type::bare($type));
-            $members = isset($this->types[$name]) ? [] : $wsdl->type((string) $name);
-            if ($members !== []) {
-                $this->types[$name] = self::quoted((string) $name) . ' => ' . self::listed($members);
+            $name = (string) preg_replace('/^(list of |map of )+/', '', Type::bare($type));
+            if (!isset($this->types[$name]) && $wsdl->hasType($name)) {
+                $members = $wsdl->type($name);
+                $this->types[$name] = self::quoted($name) . ' => ' . self::listed($members);
                 $this->typesOf(array_values($members), $wsdl);
             }
         }

@@ -62,6 +62,11 @@ final class WsdlReader
         return $choice + $this->members("$type/x:sequence/x:element");
     }
 
+    public function hasType(string $name): bool
+    {
+        return $this->all("//x:schema/x:complexType[@name='$name']") !== [];
+    }
+
     /** @return array<string, string> */
     private function members(string $elements): array
     {
