@@ -29,6 +29,8 @@ export function newId() {
 }
 
 export class Commands {
+  /** Who gave them, as the server told with the newest; null: it has not told yet. @type {string | null} */
+  user = null;
   /** Newest first. @type {Entry[]} */
   entries = [];
   #api;
@@ -113,6 +115,7 @@ export class Commands {
   #apply(entry, view) {
     const { outcome, phase, progress } = view;
     entry.sent = true;
+    this.user = view.by;
     if (outcome) {
       [entry.result, entry.words] = outcomeOf(entry.operation, outcome);
       entry.open = false;

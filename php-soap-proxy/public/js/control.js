@@ -95,5 +95,5 @@ export function controlText({ control }, user, kept) {
   }
   return control.explicit
     ? 'You have control, taken elsewhere.'
-    : 'You have control until 30 s after your last command.';
+    : 'You have control until 30 s after your last command; take it to keep it.';
 }

@@ -128,7 +128,7 @@ export function droneMarks(view, drones, chosen) {
         'g',
         { class: `drone ${markOf(drone)}${isChosen ? ' chosen' : ''}`, 'data-drone': drone.id },
         ...symbol(drone, point, isChosen),
-        ...label(drone, point, taken),
+        ...label(view, drone, point, taken),
       );
     })
     .reverse();
@@ -156,8 +156,8 @@ function symbol(drone, { x, y }, chosen) {
   ];
 }
 
-/** Name and height where nothing else is; where there is no room, only the symbol. @param {Drone} drone @param {Point} point @param {Box[]} taken */
-function label(drone, { x, y }, taken) {
+/** Name and height where nothing else is; where there is no room, only the symbol. @param {View} view @param {Drone} drone @param {Point} point @param {Box[]} taken */
+function label(view, drone, { x, y }, taken) {
   const height = drone.position?.altitudeAboveHome ?? null;
   const text = drone.link.state === 'lost' ? `${drone.name} · lost` : `${drone.name} · ${fixed(height)} m`;
   const width = text.length * LETTER_PIXELS + 12;
@@ -166,7 +166,7 @@ function label(drone, { x, y }, taken) {
     box(x - 22 - width, y - 11, width, 22),
     box(x - width / 2, y - 44, width, 22),
     box(x - width / 2, y + 22, width, 22),
-  ].find((one) => taken.every((other) => !overlap(one, other)));
+  ].find((one) => one.x >= 0 && one.x + width <= view.width && taken.every((other) => !overlap(one, other)));
   if (free === undefined) {
     return [];
   }

@@ -1,12 +1,12 @@
 // @ts-check
 /** The list of drones: what each is called, where its link comes from, and how it is. */
 import { byId, html, renderList, setAttribute, setText } from './dom.js';
-import { ageText, armedText, batteryText, fixed, linkText, placeOf, statusOf, UNKNOWN } from './drone.js';
+import { ageText, armedText, fixed, linkText, placeOf, statusOf, UNKNOWN } from './drone.js';
 import { placeText } from './geo.js';
 
 /** @typedef {import('./drone.js').Drone} Drone */
 
-const SYMBOLS = { neutral: '○', good: '●', look: '▲', act: '⬢' };
+const SYMBOLS = { neutral: '○', good: '●', look: '▲', act: '✕' };
 
 /** @param {readonly Drone[]} drones @param {string | null} chosen @param {number} now @param {(id: string) => void} choose */
 export function renderDrones(drones, chosen, now, choose) {
@@ -30,11 +30,11 @@ function row(drone, choose) {
     html('span', { class: 'name' }),
     html('span', { class: 'height' }),
     html('span', { class: 'status' }),
+    html('span', { class: 'age' }),
     html('span', { class: 'mode' }),
     html('span', { class: 'battery' }),
     html('span', { class: 'link' }),
     html('span', { class: 'place' }),
-    html('span', { class: 'age' }),
   );
   button.addEventListener('click', () => choose(drone.id));
   return html('li', {}, button);
@@ -52,7 +52,7 @@ function update(child, drone, chosen, now) {
     height: `${fixed(altitudeAboveHome, 1)} m`,
     status: words,
     mode: `${drone.mode ?? UNKNOWN} · ${armedText(drone)}`,
-    battery: `Battery ${batteryText(drone)}`,
+    battery: `Battery ${drone.battery?.percent ?? UNKNOWN} %`,
     link: linkText(drone),
     place: place === null ? 'Position unknown' : `${placeText(place)} · ${fixed(altitudeAmsl)} m AMSL`,
     age: `Updated ${ageText(drone.lastUpdate, now)}`,

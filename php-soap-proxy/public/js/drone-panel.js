@@ -193,7 +193,7 @@ export class DronePanel {
       speed: `${fixed(drone.motion?.groundSpeed, 1)} m/s`,
       heading: `${fixed(drone.motion?.heading)}°`,
       home,
-      gps: drone.gps === null ? UNKNOWN : `${drone.gps.fix} · ${drone.gps.satellites ?? UNKNOWN} sats`,
+      gps: drone.gps === null ? UNKNOWN : `${drone.gps.fix} · ${drone.gps.satellites ?? UNKNOWN}`,
       amsl: `${fixed(drone.position?.altitudeAmsl)} m`,
       age: ageText(drone.lastUpdate, now),
       place: place === null ? UNKNOWN : placeText(place),

@@ -4,6 +4,8 @@ import { isSignedOut, sentenceOf } from './api.js';
 
 const EVERY_MILLISECONDS = 1000;
 const MOST_MILLISECONDS = 8000;
+/** "Copter 2" before "Copter 10". */
+const byName = new Intl.Collator('en', { numeric: true });
 
 export class Fleet {
   /** @type {import('./drone.js').Drone[]} */
@@ -55,7 +57,7 @@ export class Fleet {
       if (loop !== this.#loop) {
         return;
       }
-      this.drones = drones ?? [];
+      this.drones = [...(drones ?? [])].sort((one, other) => byName.compare(one.name, other.name));
       this.answeredAt = Date.now();
       this.problem = null;
       this.#failures = 0;

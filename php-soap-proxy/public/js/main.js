@@ -34,7 +34,7 @@ const control = new Control(api, update);
 const drafts = new Drafts();
 /** @type {Map<string, Place[]>} */
 const tracks = new Map();
-/** Null: signed in by an access key, which does not say whose it is. @type {string | null} */
+/** Null: signed in by an access key, which does not say whose it is; answers to commands do. @type {string | null} */
 let user = null;
 /** @type {string | null} */
 let chosenId = sessionStorage.getItem(CHOSEN);
@@ -50,7 +50,7 @@ const now = () => Date.now() + api.clockOffset;
 const panel = new DronePanel({
   ...{ commands, control, chosen, setTarget, now, whyNoCommand },
   target: () => target,
-  user: () => user,
+  user: () => user ?? commands.user,
 });
 const missionPanel = new MissionPanel({ chosen, draft, setDraft }, panel);
 const map = new FlightMap({
@@ -84,6 +84,13 @@ function choose(id) {
   }
 }
 
+/** @param {string} id */
+function chooseAndShow(id) {
+  choose(id);
+  const drone = chosen();
+  map.show(drone === null ? null : placeOf(drone));
+}
+
 /** @param {Place | null} place */
 function setTarget(place) {
   const drone = chosen();
@@ -115,7 +122,7 @@ function update() {
   for (const drone of drones) {
     remember(drone);
   }
-  renderDrones(drones, chosenId, now(), choose);
+  renderDrones(drones, chosenId, now(), chooseAndShow);
   panel.render();
   missionPanel.render();
   renderConnection();

@@ -5,6 +5,7 @@ import * as drawing from './drawing.js';
 import { placeOf } from './drone.js';
 import { placeText } from './geo.js';
 import { Gestures } from './gestures.js';
+import { isOnBoard } from './mission.js';
 import { View } from './view.js';
 
 /**
@@ -61,6 +62,14 @@ export class FlightMap {
     this.#change(() => this.#view.fit(places.filter((place) => place !== null)));
   }
 
+  /** @param {Place | null} place */
+  show(place) {
+    if (place !== null) {
+      this.#fitted = true;
+      this.#change(() => this.#view.show(place));
+    }
+  }
+
   /** At the next picture; however often it is asked for until then. */
   draw() {
     if (!this.#asked) {
@@ -98,7 +107,8 @@ export class FlightMap {
       ),
       ...drawing.line(view, track, 'track chosen'),
       ...(chosen === null ? [] : drawing.boardMission(view, chosen)),
-      ...this.#draftMarks(draft),
+      // What is on board is drawn as that.
+      ...(isOnBoard(draft, chosen?.mission.items ?? []) ? [] : this.#draftMarks(draft)),
       ...(chosen?.home ? [drawing.homeMark(view, chosen.home)] : []),
       svg('g', {}, ...drawing.droneMarks(view, drones, chosen?.id ?? null)),
       ...(target === null ? [] : [drawing.targetMark(view, target)]),

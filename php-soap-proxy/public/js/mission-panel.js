@@ -142,7 +142,8 @@ export class MissionPanel {
     const earlier = this.#tool('↑', () => missions.shifted(this.#page.draft(), key, -1));
     const later = this.#tool('↓', () => missions.shifted(this.#page.draft(), key, 1));
     const gone = this.#tool('✕', () => missions.without(this.#page.draft(), key));
-    return html('li', {}, number, place, height, html('span', { class: 'unit' }, 'm'), earlier, later, gone);
+    const tools = html('span', { class: 'tools' }, earlier, later, gone);
+    return html('li', {}, number, place, height, html('span', { class: 'unit' }, 'm'), tools);
   }
 
   /** @param {string} symbol @param {() => Draft} change */
@@ -154,7 +155,8 @@ export class MissionPanel {
 
   /** @param {HTMLLIElement} child @param {Waypoint} waypoint @param {number} index @param {number} count */
   #update(child, waypoint, index, count) {
-    const [number, place, height, unit, earlier, later, gone] = /** @type {any[]} */ ([...child.children]);
+    const [number, place, height, unit, tools] = /** @type {any[]} */ ([...child.children]);
+    const [earlier, later, gone] = tools.children;
     const name = `Waypoint ${index + 1}`;
     setText(number, String(index + 1));
     setText(unit, waypoint.altitudeReference === 'amsl' ? 'm AMSL' : 'm');
