@@ -1,0 +1,97 @@
+"""The page of the PHP SOAP proxy as hands use it, found by what is read on it."""
+
+import re
+from typing import NamedTuple
+
+from playwright.sync_api import Locator, Page, expect
+
+from .flight import Point
+from .php_proxy import PhpProxy
+from .station import InputMethod
+
+
+class Spot(NamedTuple):
+    """A place on the screen."""
+
+    x: float
+    y: float
+
+
+class PhpPage:
+    """One open page."""
+
+    def __init__(self, page: Page, input_method: InputMethod) -> None:
+        self.page = page
+        self.input_method = input_method
+
+    def open(self, proxy: PhpProxy) -> None:
+        self.page.goto(f"{proxy.address}/")
+
+    def sign_in(self, name: str, password: str) -> None:
+        self.page.get_by_label("User name").fill(name)
+        self.page.get_by_label("Password", exact=True).fill(password)
+        self.press("Sign in")
+
+    def sign_in_by_key(self, key: str) -> None:
+        self.page.get_by_role("radio", name="Access key").check()
+        self.page.get_by_role("textbox", name="Access key").fill(key)
+        self.press("Sign in")
+
+    def button(self, label: str) -> Locator:
+        return self.page.get_by_role("button", name=label, exact=True)
+
+    def press(self, label: str) -> None:
+        expect(self.button(label)).not_to_have_attribute("aria-disabled", "true")
+        self.input_method.press(self.page, self.button(label))
+
+    def hold(self, label: str) -> None:
+        expect(self.button(label)).to_have_attribute("aria-disabled", "false")
+        self.input_method.hold(self.page, self.button(label))
+
+    def choose(self, drone: str) -> None:
+        listed = self.page.get_by_role("button").filter(has_text=re.compile(rf"{re.escape(drone)}\D"))
+        self.input_method.press(self.page, listed.first)
+        expect(self.page.get_by_role("heading", name=drone, exact=True)).to_be_visible()
+
+    def tool(self, name: str) -> None:
+        """What a click on the map does."""
+        self.page.get_by_role("radio", name=name).check()
+
+    def says(self, text: str | re.Pattern[str], seconds: float = 30) -> None:
+        """Expects it as what became of the newest command."""
+        expect(self.outcome).to_contain_text(text, timeout=seconds * 1000)
+
+    @property
+    def outcome(self) -> Locator:
+        return self.page.locator("#outcome")
+
+    @property
+    def map(self) -> Locator:
+        return self.page.get_by_role("application")
+
+    def mark(self, drone: str) -> Spot:
+        """Where on the screen the map draws that drone (by its id)."""
+        ring = self.page.locator(f'[data-drone="{drone}"] .ring')
+        ring.scroll_into_view_if_needed()
+        box = ring.bounding_box()
+        assert box
+        return Spot(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+
+    def tap(self, spot: Spot) -> None:
+        self.input_method.tap_map(self.page, spot.x, spot.y)
+
+    def target(self) -> Point:
+        """The place that it asks for a confirmation of."""
+        latitude, longitude = self.page.get_by_label("Fly to (latitude, longitude)").input_value().split(",")
+        height = self.page.get_by_label("Height above home (m)").input_value()
+        return Point(float(latitude), float(longitude), float(height))
+
+    def waypoints(self) -> list[Point]:
+        """The draft, as its list shows it."""
+        rows = self.page.locator("#waypoints li").all()
+        return [self._waypoint(row) for row in rows]
+
+    def _waypoint(self, row: Locator) -> Point:
+        latitude, longitude = row.get_by_label("latitude, longitude").input_value().split(",")
+        height = row.get_by_label("height in metres").input_value()
+        return Point(float(latitude), float(longitude), float(height))

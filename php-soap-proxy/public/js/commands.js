@@ -1,0 +1,221 @@
+// @ts-check
+/** Commands from the press of a button to an outcome in words; none is forgotten before it has one. */
+import { isBroken, isSignedOut, isUnsent, Problem, sentenceOf } from './api.js';
+
+/**
+ * @typedef {'busy' | 'succeeded' | 'refused' | 'failed' | 'timedOut' | 'superseded' | 'unknown' | 'notSent'} Result
+ * @typedef {{ id: string, droneId: string, droneName: string, operation: string, label: string, at: number,
+ *   result: Result, words: string, sent: boolean, open: boolean }} Entry
+ * `sent`: whether the server has confirmed that it knows the command; `open`: whether it is still asked about.
+ */
+
+const OPEN = 'dronemap-open-commands';
+const ANSWER_SECONDS = 5;
+const ASK_MILLISECONDS = 1000;
+/** A request without an answer may still be on its way for this many answers that nobody knows it. */
+const ENOUGH_DENIALS = 6;
+const MOST_ENTRIES = 50;
+const GOES_ON = new Set(['takeoff', 'goto', 'startMission', 'returnToLaunch', 'land']);
+const LOOK =
+  'Look at the drone before you press again. This page goes on asking the server what became of the command.';
+
+/** @param {number} milliseconds @returns {Promise<void>} */
+const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+
+/** An id of 24 letters and digits: the server acts once on it, however often it comes. */
+export function newId() {
+  const bytes = crypto.getRandomValues(new Uint8Array(12));
+  return Array.from(bytes, (byte) => byte.toString(16).padStart(2, '0')).join('');
+}
+
+export class Commands {
+  /** Who gave them, as the server told with the newest; null: it has not told yet. @type {string | null} */
+  user = null;
+  /** Newest first. @type {Entry[]} */
+  entries = [];
+  #api;
+  #onChange;
+
+  /** @param {import('./api.js').Api} api @param {() => void} onChange */
+  constructor(api, onChange) {
+    this.#api = api;
+    this.#onChange = onChange;
+    /** @type {Entry[]} */
+    const open = JSON.parse(sessionStorage.getItem(OPEN) ?? '[]');
+    for (const entry of open) {
+      this.entries.push({ ...entry, result: 'unknown', words: uncertainWords('The page was loaded anew.') });
+    }
+  }
+
+  /** Goes on with what an earlier load of this page has left open. */
+  resume() {
+    for (const entry of this.entries) {
+      if (entry.open) {
+        void this.#follow(entry);
+      }
+    }
+  }
+
+  /** @param {string} droneId @returns {Entry | undefined} */
+  newest(droneId) {
+    return this.entries.find((entry) => entry.droneId === droneId);
+  }
+
+  /** @param {string} droneId @param {string} operation */
+  isBusy(droneId, operation) {
+    return this.entries.some(
+      (one) => one.droneId === droneId && one.operation === operation && one.result === 'busy',
+    );
+  }
+
+  /**
+   * Answers the entry with its outcome, or with "not known" if that could not be had.
+   * @param {{ id: string, name: string }} drone @param {string} operation @param {string} label
+   * @param {object} [parameters]
+   * @returns {Promise<Entry>}
+   */
+  async send(drone, operation, label, parameters = {}) {
+    /** @type {Entry} */
+    const entry = {
+      ...{ id: newId(), droneId: drone.id, droneName: drone.name, operation, label, at: Date.now() },
+      ...{ result: 'busy', words: 'Sending…', sent: false, open: true },
+    };
+    this.entries.unshift(entry);
+    this.entries.length = Math.min(this.entries.length, MOST_ENTRIES);
+    this.#changed();
+    const body = { droneId: drone.id, ...parameters, id: entry.id, wait: ANSWER_SECONDS };
+    try {
+      this.#apply(entry, await this.#api.call(operation, body));
+    } catch (error) {
+      this.#fail(entry, error);
+    }
+    await this.#follow(entry);
+    return entry;
+  }
+
+  /** Asks the server until there is an outcome. @param {Entry} entry */
+  async #follow(entry) {
+    let denials = 0;
+    while (entry.open) {
+      await pause(ASK_MILLISECONDS);
+      // Between sessions there is nobody to ask as.
+      if (!this.#api.hasToken) {
+        continue;
+      }
+      try {
+        this.#apply(entry, await this.#api.call('getCommand', { commandId: entry.id }));
+      } catch (error) {
+        denials += isDenial(error) ? 1 : 0;
+        this.#unanswered(entry, error, denials);
+      }
+    }
+  }
+
+  /** @param {Entry} entry @param {any} view of SOAP */
+  #apply(entry, view) {
+    const { outcome, phase, progress } = view;
+    entry.sent = true;
+    this.user = view.by;
+    if (outcome) {
+      [entry.result, entry.words] = outcomeOf(entry.operation, outcome);
+      entry.open = false;
+    } else {
+      const part = progress ? ` ${progress.done} of ${progress.total}` : '';
+      entry.result = 'busy';
+      entry.words =
+        phase === 'accepted' ? `Accepted${part}, under way…` : `Sent${part}, waiting for the drone…`;
+    }
+    const [warning] = view.warnings ?? [];
+    entry.words += warning === undefined ? '' : ` Note: ${warning}`;
+    this.#changed();
+  }
+
+  /** @param {Entry} entry @param {unknown} error */
+  #fail(entry, error) {
+    if (isSignedOut(error)) {
+      this.#close(entry, 'notSent', 'Not sent: your session has ended. Sign in, then press again.');
+    } else if (isUnsent(error)) {
+      this.#close(entry, 'notSent', `Not sent: ${sentenceOf(error)}`);
+    } else if (isBroken(error)) {
+      this.#doubt(entry, error);
+    } else {
+      this.#close(entry, 'refused', `Refused by the server, nothing was sent: ${sentenceOf(error)}`);
+    }
+  }
+
+  /** @param {Entry} entry @param {unknown} error @param {number} denials how often the server did not know it */
+  #unanswered(entry, error, denials) {
+    if (isBroken(error) || isTooOften(error)) {
+      this.#doubt(entry, error);
+    } else if (!isDenial(error)) {
+      this.#close(
+        entry,
+        'unknown',
+        `What became of it cannot be asked: ${sentenceOf(error)} Look at the drone.`,
+      );
+    } else if (denials >= ENOUGH_DENIALS && entry.sent) {
+      this.#close(
+        entry,
+        'unknown',
+        'The server does not know any more what became of it. Look at the drone.',
+      );
+    } else if (denials >= ENOUGH_DENIALS) {
+      const words = 'Not carried out: it did not reach the server. Press again if you still mean it.';
+      this.#close(entry, 'notSent', words);
+    }
+  }
+
+  /** @param {Entry} entry @param {Result} result @param {string} words */
+  #close(entry, result, words) {
+    Object.assign(entry, { result, words, open: false });
+    this.#changed();
+  }
+
+  /** @param {Entry} entry @param {unknown} error */
+  #doubt(entry, error) {
+    Object.assign(entry, { result: 'unknown', words: uncertainWords(sentenceOf(error)) });
+    this.#changed();
+  }
+
+  #changed() {
+    sessionStorage.setItem(OPEN, JSON.stringify(this.entries.filter((entry) => entry.open)));
+    this.#onChange();
+  }
+}
+
+/** Whether the server says that there is no such command. @param {unknown} error */
+function isDenial(error) {
+  return error instanceof Problem && error.code === 'command-unknown';
+}
+
+/** @param {unknown} error */
+function isTooOften(error) {
+  return error instanceof Problem && error.status === 429;
+}
+
+/** @param {string} sentence */
+function uncertainWords(sentence) {
+  return `Not known whether it was carried out: ${sentence} ${LOOK}`;
+}
+
+/** @param {string} operation @param {{ result: Result, by?: string, reason?: string }} outcome @returns {[Result, string]} */
+function outcomeOf(operation, { result, by, reason }) {
+  const why = reason ? `: ${reason}` : '.';
+  switch (result) {
+    case 'succeeded':
+      return [result, GOES_ON.has(operation) ? 'Succeeded: under way.' : 'Succeeded.'];
+    case 'refused':
+      return [result, `Refused by ${by === 'vehicle' ? 'the drone' : 'the server'}${why}`];
+    case 'failed':
+      return [result, `Failed${why}`];
+    case 'timedOut':
+      return [result, `Timed out${why}`];
+    case 'superseded':
+      return [result, `Replaced by a newer command${why}`];
+    default:
+      return [
+        'unknown',
+        `Not known whether it was carried out${why} Look at the drone before you press again.`,
+      ];
+  }
+}

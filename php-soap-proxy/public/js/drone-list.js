@@ -1,0 +1,70 @@
+// @ts-check
+/** The list of drones: what each is called, where its link comes from, and how it is. */
+import { byId, html, renderList, setAttribute, setText } from './dom.js';
+import { ageText, armedText, fixed, linkText, placeOf, statusOf, UNKNOWN } from './drone.js';
+import { placeText } from './geo.js';
+
+/** @typedef {import('./drone.js').Drone} Drone */
+
+const SYMBOLS = { neutral: '○', good: '●', look: '▲', act: '✕' };
+
+/** @param {readonly Drone[]} drones @param {string | null} chosen @param {number} now @param {(id: string) => void} choose */
+export function renderDrones(drones, chosen, now, choose) {
+  setText(byId('drone-count'), String(drones.length));
+  byId('no-drones').hidden = drones.length > 0;
+  renderList(
+    byId('drone-list'),
+    drones,
+    (drone) => drone.id,
+    (drone) => row(drone, choose),
+    (child, drone) => update(child, drone, drone.id === chosen, now),
+  );
+}
+
+/** @param {Drone} drone @param {(id: string) => void} choose */
+function row(drone, choose) {
+  const button = html(
+    'button',
+    { type: 'button', class: 'drone-row' },
+    html('span', { class: 'symbol', 'aria-hidden': 'true' }),
+    html('span', { class: 'name' }),
+    html('span', { class: 'height' }),
+    html('span', { class: 'status' }),
+    html('span', { class: 'age' }),
+    html('span', { class: 'mode' }),
+    html('span', { class: 'battery' }),
+    html('span', { class: 'link' }),
+    html('span', { class: 'place' }),
+  );
+  button.addEventListener('click', () => choose(drone.id));
+  return html('li', {}, button);
+}
+
+/** @param {HTMLLIElement} child @param {Drone} drone @param {boolean} chosen @param {number} now */
+function update(child, drone, chosen, now) {
+  const button = child.firstElementChild;
+  const { words, tone } = statusOf(drone, now);
+  const place = placeOf(drone);
+  const { altitudeAboveHome = null, altitudeAmsl = null } = drone.position ?? {};
+  const texts = {
+    symbol: SYMBOLS[tone],
+    name: drone.name,
+    height: `${fixed(altitudeAboveHome, 1)} m`,
+    status: words,
+    mode: `${drone.mode ?? UNKNOWN} · ${armedText(drone)}`,
+    battery: `Battery ${drone.battery?.percent ?? UNKNOWN} %`,
+    link: linkText(drone),
+    place: place === null ? 'Position unknown' : `${placeText(place)} · ${fixed(altitudeAmsl)} m AMSL`,
+    age: `Updated ${ageText(drone.lastUpdate, now)}`,
+  };
+  for (const [name, text] of Object.entries(texts)) {
+    const part = button?.querySelector(`.${name}`);
+    if (part) {
+      setText(part, text);
+    }
+  }
+  if (button) {
+    setAttribute(button, 'aria-pressed', String(chosen));
+    setAttribute(button, 'data-tone', tone);
+  }
+}

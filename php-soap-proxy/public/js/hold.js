@@ -1,0 +1,94 @@
+// @ts-check
+/** A button that counts only when it is held for 0.8 s, by mouse, finger or keyboard. */
+
+const HOLD_MILLISECONDS = 800;
+
+/**
+ * @param {HTMLButtonElement} button
+ * @param {() => void} confirm
+ * @param {() => void} tooShort after a press that was let go too early
+ */
+export function holdToConfirm(button, confirm, tooShort) {
+  /** @type {number | null} */
+  let since = null;
+  let timer = 0;
+  let clicks = 0;
+  const isOff = () => button.getAttribute('aria-disabled') === 'true';
+
+  function begin(/** @type {number} */ at) {
+    if (since === null && !isOff()) {
+      since = at;
+      button.classList.add('holding');
+      const left = Math.max(0, HOLD_MILLISECONDS - (performance.now() - at));
+      // A release that waits in the queue comes first: only then is the time up.
+      timer = setTimeout(() => (timer = setTimeout(complete)), left);
+    }
+  }
+
+  function stop() {
+    since = null;
+    clearTimeout(timer);
+    button.classList.remove('holding');
+  }
+
+  function complete() {
+    stop();
+    if (!isOff()) {
+      confirm();
+    }
+  }
+
+  /** What counts are the times of the events, not when a busy page handled them. */
+  function release(/** @type {number} */ at) {
+    if (since !== null && at - since >= HOLD_MILLISECONDS) {
+      complete();
+    } else if (since !== null) {
+      stop();
+      tooShort();
+    }
+  }
+
+  button.addEventListener('pointerdown', (event) => {
+    if (event.button === 0) {
+      begin(event.timeStamp);
+    }
+  });
+  button.addEventListener('pointerup', (event) => release(event.timeStamp));
+  // Off the button, or into scrolling: a change of mind.
+  button.addEventListener('pointermove', ({ clientX, clientY }) => {
+    const { left, right, top, bottom } = button.getBoundingClientRect();
+    if (clientX < left || clientX > right || clientY < top || clientY > bottom) {
+      stop();
+    }
+  });
+  button.addEventListener('pointercancel', stop);
+  button.addEventListener('blur', stop);
+  button.addEventListener('contextmenu', (event) => event.preventDefault());
+  button.addEventListener('keydown', (event) => {
+    if (event.key === 'Enter' || event.key === ' ') {
+      // The browser would make a click of it at once.
+      event.preventDefault();
+      if (!event.repeat) {
+        begin(event.timeStamp);
+      }
+    }
+  });
+  button.addEventListener('keyup', (event) => {
+    if (event.key === 'Enter' || event.key === ' ') {
+      event.preventDefault();
+      release(event.timeStamp);
+    }
+  });
+  // Screen readers and switches can only click: for them a second click confirms the first.
+  button.addEventListener('click', (event) => {
+    if (event.detail !== 0 || isOff()) {
+      return;
+    }
+    clicks += 1;
+    if (clicks % 2 === 0) {
+      confirm();
+    } else {
+      tooShort();
+    }
+  });
+}
