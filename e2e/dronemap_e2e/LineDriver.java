@@ -1,3 +1,4 @@
+import com.fasterxml.jackson.annotation.JsonInclude;
 import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
@@ -36,8 +37,10 @@ import org.dronemap.example.soap.model.WaypointItem;
  */
 public final class LineDriver {
     private static final double OUTCOME_SECONDS = 60;
-    private static final ObjectMapper JSON =
-            ApiClient.createDefaultObjectMapper().disable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES);
+    // Unlike in requests, what is null is told.
+    private static final ObjectMapper JSON = ApiClient.createDefaultObjectMapper()
+            .disable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
+            .setSerializationInclusion(JsonInclude.Include.ALWAYS);
     private static final String SERVER = System.getenv("DRONEMAP_URL");
     private static final String AUTHORIZATION = "Bearer " + System.getenv("DRONEMAP_KEY");
 
