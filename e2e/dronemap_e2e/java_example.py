@@ -58,6 +58,7 @@ def package(folder: Path, server: Server) -> None:
     done = subprocess.run(
         ["mvn", "-B", "-ntp", "-q", "package", f"-Ddronemap.url={server.address}"],
         cwd=folder,
+        env=os.environ | {"MAVEN_OPTS": QUICK},
         text=True,
         capture_output=True,
         timeout=600,
