@@ -16,6 +16,7 @@ from dronemap import CommandError, Dronemap, Problem, models
 from pydantic import TypeAdapter
 from websockets.sync.client import connect
 
+from . import java_example
 from .api import Api, Json
 from .server import ROOT, Server
 from .soap import soap
@@ -192,12 +193,12 @@ class PythonFace:
         self._connected.close()
 
 
-class TypeScriptFace:
-    """The client for TypeScript, in Node."""
+class LineDriverFace:
+    """A program of another language, which is told by lines what to do."""
 
-    def __init__(self, server: Server, key: str) -> None:
+    def __init__(self, server: Server, key: str, *program: str | Path) -> None:
         self._program = subprocess.Popen(
-            [TYPESCRIPT / "node_modules" / ".bin" / "tsx", TYPESCRIPT / "dev" / "line-driver.ts"],
+            program,
             env=_environment(server, key),
             text=True,
             stdin=subprocess.PIPE,
@@ -227,6 +228,24 @@ class TypeScriptFace:
         assert self._program.stdin is not None
         self._program.stdin.close()
         self._program.wait(10)
+
+
+class TypeScriptFace(LineDriverFace):
+    """The client for TypeScript, in Node."""
+
+    def __init__(self, server: Server, key: str) -> None:
+        driver = TYPESCRIPT / "dev" / "line-driver.ts"
+        super().__init__(server, key, TYPESCRIPT / "node_modules" / ".bin" / "tsx", driver)
+
+
+class JavaFace(LineDriverFace):
+    """The classes that the Java example generates, of REST or of SOAP."""
+
+    def __init__(self, server: Server, key: str, interface: str) -> None:
+        example = java_example.built(server)
+        super().__init__(
+            server, key, *example.java, ROOT / "e2e" / "dronemap_e2e" / "LineDriver.java", interface
+        )
 
 
 class CommandLineFace:

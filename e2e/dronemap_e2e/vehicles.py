@@ -7,7 +7,7 @@ from .server import Server
 from .simulator import QUICK_FLIGHT, Simulator
 
 FIRST = 101
-COUNT = 50
+COUNT = 60
 FOR_GOOD_SECONDS = 86_400
 
 

@@ -9,11 +9,13 @@ from typing import Any
 
 import pytest
 
+from dronemap_e2e import java_example
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.faces import (
     SUCCEEDED,
     CommandLineFace,
     Face,
+    JavaFace,
     PythonFace,
     RestFace,
     Said,
@@ -34,6 +36,8 @@ FACES: dict[str, Callable[[Server, str, Path], Face]] = {
     "stream": lambda server, key, folder: StreamFace(server, key),
     "Python": lambda server, key, folder: PythonFace(server, key),
     "TypeScript": lambda server, key, folder: TypeScriptFace(server, key),
+    "Java REST": lambda server, key, folder: JavaFace(server, key, "rest"),
+    "Java SOAP": lambda server, key, folder: JavaFace(server, key, "soap"),
     "dronectl": CommandLineFace,
     "PHP": PhpFace,
 }
@@ -55,6 +59,8 @@ def flights(
     server: Server, vehicles: Vehicles, tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[dict[str, Flown]]:
     """All at once, each by one face with a copter and a pilot of its own."""
+    # Before the flights, which it would slow down.
+    java_example.built(server)
     awake = {name: vehicles.wake_next() for name in FACES}
     with ThreadPoolExecutor(len(FACES)) as pool:
         under_way = {
