@@ -7,6 +7,7 @@ stands for any text, nothing else is special, and capital letters count. Of Java
 not looked at: all cases of a parametrised test are one. Prints what to run, tab-separated:
   java    MODULE   CLASS, CLASS#METHOD or CLASS#METHOD+METHOD
   vitest  PROJECT  FILE, and a regular expression of names; empty: the whole file
+  phpunit TEST
   pytest  PROJECT  node id
 The last line on the error output says how many tests match, or why that is not known (exit code 1).
 """
@@ -189,6 +190,24 @@ def vitest_lines(root: Path, project: str, pattern: Pattern) -> Match:
     return Match(count, lines)
 
 
+# --- PHP ---
+
+PHP_TEST = re.compile(r"^    public function (test\w+)\(", re.M)
+
+
+def phpunit_lines(root: Path, pattern: Pattern) -> Match:
+    """Without those that need a server: an end-to-end test runs them."""
+    lines = []
+    for path in sorted(root.glob("php-soap-proxy/tests/*Test.php")):
+        text = path.read_text(encoding="utf-8")
+        if "@group server" in text:
+            continue
+        for test in PHP_TEST.findall(text):
+            if pattern.matches(f"{path.relative_to(root)}::{test}", f"{path.stem} {test}"):
+                lines.append(f"phpunit\t{test}")
+    return Match(len(lines), lines)
+
+
 # --- Python ---
 
 
@@ -232,6 +251,7 @@ def matches(root: Path, soak: bool, pattern: Pattern, projects: list[str]) -> li
         python = threads.map(lambda project: pytest_lines(root, project, pattern, soak), projects)
         rest = [java_lines(root, pattern.without_cases(), soak)]
         if not soak:
+            rest.append(phpunit_lines(root, pattern.without_cases()))
             rest.extend(vitest_lines(root, project, pattern) for project in TYPESCRIPT_PROJECTS)
         return [*rest, *python]
 

@@ -58,12 +58,14 @@ run_round() { # test|soak
     if [[ $1 == test ]]; then
         suite_shell
         suite_typescript_checks
+        suite_php_checks
         suite_python_checks
         suite_java_build
         if is_wanted "supply: vulnerabilities"; then suite_vulnerabilities; fi
     fi
     round_of_java "$1"
     round_of_vitest
+    round_of_phpunit
     round_of_pytest "$1"
 }
 
@@ -92,6 +94,12 @@ round_of_project() { # PROJECT
     if ((${#files[@]} > 0)); then
         REPORT_KIND=named VITEST_PART=names run_vitest "$project" "$WORKERS" "${files[@]}" --testNamePattern "^($names)\$"
     fi
+}
+
+round_of_phpunit() {
+    local names
+    names=$(planned phpunit | paste -sd '|')
+    [[ -z $names ]] || run_phpunit --filter "/::($names)\b/"
 }
 
 round_of_pytest() { # test|soak

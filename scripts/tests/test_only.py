@@ -82,6 +82,19 @@ class TestGroup:
 def test_lasts(): pass
 """
 
+PHP = """<?php
+final class AirTest extends TestCase
+{
+    public function testThins(): void
+    {
+    }
+
+    public function levels(): array
+    {
+    }
+}
+"""
+
 
 def written(folder: Path) -> Path:
     files = {
@@ -92,6 +105,8 @@ def written(folder: Path) -> Path:
         "web-client/src/runs/run.test.ts": WEB,
         "web-client/dev/play.test.ts": "it('plays', () => undefined);",
         "sdk-typescript/src/hear.test.ts": "it('hears', () => undefined);",
+        "php-soap-proxy/tests/AirTest.php": PHP,
+        "php-soap-proxy/tests/WholeTest.php": PHP.replace("<?php", "<?php /** @group server */"),
         "snake/tests/test_air.py": PYTHON,
         "snake/pyproject.toml": '[tool.pytest.ini_options]\nmarkers = ["soak"]\n',
     }
@@ -168,6 +183,16 @@ def test_typescript_is_found_beside_the_page(root: Path, capsys: pytest.CaptureF
     assert found(root, "sdk-typescript/src/hear.test.ts::", "test", capsys) == [
         "vitest sdk-typescript src/hear.test.ts "
     ]
+
+
+@pytest.mark.parametrize(
+    "pattern", ["AirTest.php::testThins", "AirTest", "php-soap-proxy/", "Test testThins"]
+)
+def test_php_is_found_where_it_needs_no_server(
+    pattern: str, root: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert found(root, pattern, "test", capsys) == ["phpunit testThins"]
+    assert found(root, "levels", "test", capsys) == []
 
 
 @pytest.mark.parametrize(

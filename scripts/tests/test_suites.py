@@ -67,6 +67,7 @@ def test_every_suite_is_part_of_a_test_run() -> None:
     assert called_by("suite_small") == [
         "suite_shell",
         "suite_typescript",
+        "suite_php",
         "suite_python_checks",
         'suite_pytest "not soak" needs_no_jars',
         'suite_scripts without_jars -n "$(workers_beside)"',
