@@ -27,11 +27,11 @@ class JavaExample:
         return ("java", QUICK, "-cp", f"{self.folder / JAR}:{self.folder / 'lib'}/*")
 
     def run(
-        self, program: str, server: Server, key: str, *arguments: str
+        self, program: str, address: str, key: str, *arguments: str
     ) -> "subprocess.CompletedProcess[str]":
         return subprocess.run(
             [*self.java, f"org.dronemap.example.{program}", *arguments],
-            env=os.environ | {"DRONEMAP_URL": server.address, "DRONEMAP_KEY": key},
+            env=os.environ | {"DRONEMAP_URL": address, "DRONEMAP_KEY": key},
             cwd=self.folder,
             text=True,
             capture_output=True,

@@ -12,6 +12,7 @@ from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import Point
 from dronemap_e2e.java_example import JavaExample
 from dronemap_e2e.message_recorder import VehicleMessages
+from dronemap_e2e.newer_server import NewerServer
 from dronemap_e2e.server import Server
 from dronemap_e2e.vehicles import Vehicles
 from dronemap_e2e.waiting import wait_for
@@ -50,7 +51,7 @@ def flights(
         drone = wait_for("the copter is ready", lambda: api.ready(system_id), 90)
         key = key_near(api, drone["home"]) if narrow else server.local_key()
         named = drone["name"] if program == "FlyByRest" else drone["id"]
-        return Flown(example.run(program, server, key, named), drone, vehicles.wire(system_id))
+        return Flown(example.run(program, server.address, key, named), drone, vehicles.wire(system_id))
 
     with ThreadPoolExecutor(len(awake)) as pool:
         under_way = {flight: pool.submit(fly, *flight, system_id) for flight, system_id in awake.items()}
@@ -103,7 +104,7 @@ def test_refused_command_ends_example_with_the_servers_sentence(
 ) -> None:
     """End to end because a program is told by a server that its command is refused."""
     api.do(copter["id"], type="arm")
-    done = example.run(program, server, server.local_key(), copter["id"])
+    done = example.run(program, server.address, server.local_key(), copter["id"])
     refused = given(api, copter)[-1]
     assert (refused["type"], refused["outcome"]["result"]) == ("arm", "refused")
     assert (done.returncode, done.stderr) == (1, sentence(refused))
@@ -116,8 +117,22 @@ def test_bad_key_ends_example_with_the_servers_sentence(
 ) -> None:
     """End to end because a program is told by a server that its key is none."""
     problem = Api(server.address, "no-key-at-all").call("GET", "/drones").json()
-    done = example.run(program, server, "no-key-at-all")
+    done = example.run(program, server.address, "no-key-at-all")
     assert (done.returncode, done.stderr) == (1, f"{problem['detail']} [{problem['code']}]\n")
+
+
+@pytest.mark.parametrize("program", PROGRAMS)
+def test_example_reads_what_a_newer_server_adds(
+    example: JavaExample, server: Server, copter: Json, program: str
+) -> None:
+    """End to end because generated classes read answers that have more than what they were generated from."""
+    newer = NewerServer(server.http_port)
+    try:
+        done = example.run(program, newer.address, server.local_key(), "nobody")
+    finally:
+        newer.close()
+    assert newer.changed == 1
+    assert (done.returncode, done.stderr) == (1, "There is no drone nobody.\n")
 
 
 def key_near(api: Api, home: Json) -> str:
