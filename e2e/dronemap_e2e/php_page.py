@@ -49,7 +49,7 @@ class PhpPage:
         self.input_method.hold(self.page, self.button(label))
 
     def choose(self, drone: str) -> None:
-        listed = self.page.get_by_role("button").filter(has_text=re.compile(rf"{re.escape(drone)}\D"))
+        listed = self.page.get_by_role("button").filter(has_text=re.compile(rf"{re.escape(drone)}\s"))
         self.input_method.press(self.page, listed.first)
         expect(self.page.get_by_role("heading", name=drone, exact=True)).to_be_visible()
 
@@ -71,11 +71,18 @@ class PhpPage:
 
     def mark(self, drone: str) -> Spot:
         """Where on the screen the map draws that drone (by its id)."""
-        ring = self.page.locator(f'[data-drone="{drone}"] .ring')
-        ring.scroll_into_view_if_needed()
-        box = ring.bounding_box()
-        assert box
-        return Spot(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+        self.map.scroll_into_view_if_needed()
+        # After what was asked for is drawn, and at one moment: the map is drawn anew while one looks.
+        x, y = self.page.evaluate(
+            """async (drone) => {
+                 for (const _ of [1, 2]) await new Promise((drawn) => requestAnimationFrame(drawn));
+                 const { x, y, width, height } =
+                   document.querySelector(`[data-drone="${drone}"] .ring`).getBoundingClientRect();
+                 return [x + width / 2, y + height / 2];
+               }""",
+            drone,
+        )
+        return Spot(x, y)
 
     def tap(self, spot: Spot) -> None:
         self.input_method.tap_map(self.page, spot.x, spot.y)

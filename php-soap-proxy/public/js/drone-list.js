@@ -6,6 +6,7 @@ import { placeText } from './geo.js';
 
 /** @typedef {import('./drone.js').Drone} Drone */
 
+const PARTS = ['symbol', 'name', 'height', 'status', 'age', 'mode', 'battery', 'link', 'place'];
 const SYMBOLS = { neutral: '○', good: '●', look: '▲', act: '✕' };
 
 /** @param {readonly Drone[]} drones @param {string | null} chosen @param {number} now @param {(id: string) => void} choose */
@@ -23,18 +24,13 @@ export function renderDrones(drones, chosen, now, choose) {
 
 /** @param {Drone} drone @param {(id: string) => void} choose */
 function row(drone, choose) {
+  const parts = PARTS.map((name) => html('span', { class: name }));
+  parts[0]?.setAttribute('aria-hidden', 'true');
+  // With spaces between them, for who listens.
   const button = html(
     'button',
     { type: 'button', class: 'drone-row' },
-    html('span', { class: 'symbol', 'aria-hidden': 'true' }),
-    html('span', { class: 'name' }),
-    html('span', { class: 'height' }),
-    html('span', { class: 'status' }),
-    html('span', { class: 'age' }),
-    html('span', { class: 'mode' }),
-    html('span', { class: 'battery' }),
-    html('span', { class: 'link' }),
-    html('span', { class: 'place' }),
+    ...parts.flatMap((part) => [part, ' ']),
   );
   button.addEventListener('click', () => choose(drone.id));
   return html('li', {}, button);
