@@ -1,13 +1,40 @@
 """The page of the PHP SOAP proxy as hands use it, found by what is read on it."""
 
+import os
 import re
+import secrets
+from collections.abc import Callable
+from pathlib import Path
 from typing import NamedTuple
 
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Browser, ConsoleMessage, Locator, Page, ViewportSize, expect
 
+from .api import Api
 from .flight import Point
 from .php_proxy import PhpProxy
-from .station import InputMethod
+from .screen import open_page
+from .server import Server
+from .station import InputMethod, Touch
+
+WIDE: ViewportSize = {"width": 1280, "height": 800}
+
+
+class Pilot(NamedTuple):
+    """An operator with a password that nobody else has seen."""
+
+    name: str
+    password: str
+    api: Api
+
+
+def new_pilot(server: Server, api: Api) -> Pilot:
+    name, first, own = f"pilot-{secrets.token_hex(4)}", secrets.token_hex(10), secrets.token_hex(10)
+    made = api.call("POST", "/users", {"name": name, "password": first, "role": "operator"})
+    assert made.status_code == 201, made.text
+    session = Api(server.address)
+    assert session.call("POST", "/session", {"name": name, "password": first}).ok
+    assert session.call("POST", "/session/password", {"current": first, "next": own}).status_code == 204
+    return Pilot(name, own, session)
 
 
 class Spot(NamedTuple):
@@ -102,3 +129,51 @@ class PhpPage:
         latitude, longitude = row.get_by_label("latitude, longitude").input_value().split(",")
         height = row.get_by_label("height in metres").input_value()
         return Point(float(latitude), float(longitude), float(height))
+
+    def click_waypoints(self, drone: str) -> None:
+        """Three of them, 8 m high, north-east of that drone."""
+        self.tool("Waypoints")
+        self.page.get_by_label("Height of new waypoints (m)").fill("8")
+        mark = self.mark(drone)
+        for number, (across, up) in enumerate(((0, 70), (60, 70), (60, 20)), 1):
+            self.tap(Spot(mark.x + across, mark.y - up))
+            expect(self.page.locator("#waypoints li")).to_have_count(number)
+
+    def picture(self, name: str) -> None:
+        """Kept where DRONEMAP_E2E_SCREENSHOTS says, for people to look at."""
+        folder = os.environ.get("DRONEMAP_E2E_SCREENSHOTS")
+        if folder:
+            Path(folder).mkdir(parents=True, exist_ok=True)
+            self.page.screenshot(path=Path(folder) / f"php-{name}.png")
+
+
+OpenPage = Callable[..., PhpPage]
+
+
+class PhpPages:
+    """Opens pages, each in a browser context of its own, and keeps what goes wrong in them."""
+
+    def __init__(self, browser: Browser) -> None:
+        self._browser = browser
+        self._pages: list[Page] = []
+        self.faults: list[str] = []
+
+    def open(
+        self, proxy: PhpProxy, method: InputMethod, size: ViewportSize = WIDE, dark: bool = False
+    ) -> PhpPage:
+        page = open_page(self._browser, size, isinstance(method, Touch), dark)
+        self._pages.append(page)
+        page.on("pageerror", lambda error: self.faults.append(str(error)))
+        page.on("console", self._note)
+        opened = PhpPage(page, method)
+        opened.open(proxy)
+        return opened
+
+    def close(self) -> None:
+        for page in self._pages:
+            page.context.close()
+
+    def _note(self, said: ConsoleMessage) -> None:
+        # What the browser says of the page's Content-Security-Policy.
+        if "Policy" in said.text:
+            self.faults.append(said.text)

@@ -1,7 +1,7 @@
 // @ts-check
 /** The list of drones: what each is called, where its link comes from, and how it is. */
 import { byId, html, renderList, setAttribute, setText } from './dom.js';
-import { ageText, armedText, fixed, linkText, placeOf, statusOf, UNKNOWN } from './drone.js';
+import { armedText, fixed, linkText, placeOf, statusOf, UNKNOWN, updateText } from './drone.js';
 import { placeText } from './geo.js';
 
 /** @typedef {import('./drone.js').Drone} Drone */
@@ -9,7 +9,10 @@ import { placeText } from './geo.js';
 const PARTS = ['symbol', 'name', 'height', 'status', 'age', 'mode', 'battery', 'link', 'place'];
 const SYMBOLS = { neutral: '○', good: '●', look: '▲', act: '✕' };
 
-/** @param {readonly Drone[]} drones @param {string | null} chosen @param {number} now @param {(id: string) => void} choose */
+/**
+ * @param {readonly Drone[]} drones @param {string | null} chosen @param {number} now
+ * @param {(id: string) => void} choose
+ */
 export function renderDrones(drones, chosen, now, choose) {
   setText(byId('drone-count'), String(drones.length));
   byId('no-drones').hidden = drones.length > 0;
@@ -39,7 +42,7 @@ function row(drone, choose) {
 /** @param {HTMLLIElement} child @param {Drone} drone @param {boolean} chosen @param {number} now */
 function update(child, drone, chosen, now) {
   const button = child.firstElementChild;
-  const { words, tone } = statusOf(drone, now);
+  const { words, tone } = statusOf(drone);
   const place = placeOf(drone);
   const { altitudeAboveHome = null, altitudeAmsl = null } = drone.position ?? {};
   const texts = {
@@ -51,7 +54,7 @@ function update(child, drone, chosen, now) {
     battery: `Battery ${drone.battery?.percent ?? UNKNOWN} %`,
     link: linkText(drone),
     place: place === null ? 'Position unknown' : `${placeText(place)} · ${fixed(altitudeAmsl)} m AMSL`,
-    age: `Updated ${ageText(drone.lastUpdate, now)}`,
+    age: `Updated ${updateText(drone, now)}`,
   };
   for (const [name, text] of Object.entries(texts)) {
     const part = button?.querySelector(`.${name}`);
