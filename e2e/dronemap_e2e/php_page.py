@@ -1,13 +1,40 @@
 """The page of the PHP SOAP proxy as hands use it, found by what is read on it."""
 
+import os
 import re
+import secrets
+from collections.abc import Callable
+from pathlib import Path
 from typing import NamedTuple
 
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Browser, ConsoleMessage, Locator, Page, ViewportSize, expect
 
+from .api import Api
 from .flight import Point
 from .php_proxy import PhpProxy
-from .station import InputMethod
+from .screen import open_page
+from .server import Server
+from .station import InputMethod, Touch
+
+WIDE: ViewportSize = {"width": 1280, "height": 800}
+
+
+class Pilot(NamedTuple):
+    """An operator with a password that nobody else has seen."""
+
+    name: str
+    password: str
+    api: Api
+
+
+def new_pilot(server: Server, api: Api) -> Pilot:
+    name, first, own = f"pilot-{secrets.token_hex(4)}", secrets.token_hex(10), secrets.token_hex(10)
+    made = api.call("POST", "/users", {"name": name, "password": first, "role": "operator"})
+    assert made.status_code == 201, made.text
+    session = Api(server.address)
+    assert session.call("POST", "/session", {"name": name, "password": first}).ok
+    assert session.call("POST", "/session/password", {"current": first, "next": own}).status_code == 204
+    return Pilot(name, own, session)
 
 
 class Spot(NamedTuple):
@@ -49,7 +76,7 @@ class PhpPage:
         self.input_method.hold(self.page, self.button(label))
 
     def choose(self, drone: str) -> None:
-        listed = self.page.get_by_role("button").filter(has_text=re.compile(rf"{re.escape(drone)}\D"))
+        listed = self.page.get_by_role("button").filter(has_text=re.compile(rf"{re.escape(drone)}\s"))
         self.input_method.press(self.page, listed.first)
         expect(self.page.get_by_role("heading", name=drone, exact=True)).to_be_visible()
 
@@ -71,11 +98,18 @@ class PhpPage:
 
     def mark(self, drone: str) -> Spot:
         """Where on the screen the map draws that drone (by its id)."""
-        ring = self.page.locator(f'[data-drone="{drone}"] .ring')
-        ring.scroll_into_view_if_needed()
-        box = ring.bounding_box()
-        assert box
-        return Spot(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+        self.map.scroll_into_view_if_needed()
+        # After what was asked for is drawn, and at one moment: the map is drawn anew while one looks.
+        x, y = self.page.evaluate(
+            """async (drone) => {
+                 for (const _ of [1, 2]) await new Promise((drawn) => requestAnimationFrame(drawn));
+                 const { x, y, width, height } =
+                   document.querySelector(`[data-drone="${drone}"] .ring`).getBoundingClientRect();
+                 return [x + width / 2, y + height / 2];
+               }""",
+            drone,
+        )
+        return Spot(x, y)
 
     def tap(self, spot: Spot) -> None:
         self.input_method.tap_map(self.page, spot.x, spot.y)
@@ -95,3 +129,51 @@ class PhpPage:
         latitude, longitude = row.get_by_label("latitude, longitude").input_value().split(",")
         height = row.get_by_label("height in metres").input_value()
         return Point(float(latitude), float(longitude), float(height))
+
+    def click_waypoints(self, drone: str) -> None:
+        """Three of them, 8 m high, north-east of that drone."""
+        self.tool("Waypoints")
+        self.page.get_by_label("Height of new waypoints (m)").fill("8")
+        mark = self.mark(drone)
+        for number, (across, up) in enumerate(((0, 70), (60, 70), (60, 20)), 1):
+            self.tap(Spot(mark.x + across, mark.y - up))
+            expect(self.page.locator("#waypoints li")).to_have_count(number)
+
+    def picture(self, name: str) -> None:
+        """Kept where DRONEMAP_E2E_SCREENSHOTS says, for people to look at."""
+        folder = os.environ.get("DRONEMAP_E2E_SCREENSHOTS")
+        if folder:
+            Path(folder).mkdir(parents=True, exist_ok=True)
+            self.page.screenshot(path=Path(folder) / f"php-{name}.png")
+
+
+OpenPage = Callable[..., PhpPage]
+
+
+class PhpPages:
+    """Opens pages, each in a browser context of its own, and keeps what goes wrong in them."""
+
+    def __init__(self, browser: Browser) -> None:
+        self._browser = browser
+        self._pages: list[Page] = []
+        self.faults: list[str] = []
+
+    def open(
+        self, proxy: PhpProxy, method: InputMethod, size: ViewportSize = WIDE, dark: bool = False
+    ) -> PhpPage:
+        page = open_page(self._browser, size, isinstance(method, Touch), dark)
+        self._pages.append(page)
+        page.on("pageerror", lambda error: self.faults.append(str(error)))
+        page.on("console", self._note)
+        opened = PhpPage(page, method)
+        opened.open(proxy)
+        return opened
+
+    def close(self) -> None:
+        for page in self._pages:
+            page.context.close()
+
+    def _note(self, said: ConsoleMessage) -> None:
+        # What the browser says of the page's Content-Security-Policy.
+        if "Policy" in said.text:
+            self.faults.append(said.text)

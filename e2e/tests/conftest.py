@@ -12,6 +12,8 @@ from dronemap_e2e.api import Api, Json
 from dronemap_e2e.copter import Copter
 from dronemap_e2e.ground_station import Attach, GroundStation, User
 from dronemap_e2e.message_recorder import MessageRecorder, VehicleMessages
+from dronemap_e2e.php_page import OpenPage, PhpPages, Pilot, new_pilot
+from dronemap_e2e.php_proxy import PhpProxy
 from dronemap_e2e.server import Server
 from dronemap_e2e.station import launch
 from dronemap_e2e.vehicles import Vehicles
@@ -33,6 +35,8 @@ LONGEST = (
     "test_control",
     "test_robot_in_browser",
     "test_parameters_in_browser",
+    "test_php_page",
+    "test_php_page_failures",
     "test_link_quality",
     "test_zones_in_browser",
     "test_links",
@@ -176,3 +180,26 @@ def attach(server: Server) -> Iterator[Attach]:
     yield make
     for ground in attached:
         ground.close()
+
+
+@pytest.fixture(scope="session")
+def php_proxy(server: Server, tmp_path_factory: pytest.TempPathFactory) -> Iterator[PhpProxy]:
+    """The PHP SOAP proxy before the shared server."""
+    started = PhpProxy(server.address, tmp_path_factory.mktemp("php"))
+    started.start()
+    yield started
+    started.stop()
+
+
+@pytest.fixture(scope="session")
+def php_pilot(server: Server, api: Api) -> Pilot:
+    return new_pilot(server, api)
+
+
+@pytest.fixture
+def php_page(browser: Browser) -> Iterator[OpenPage]:
+    """Opens the page of a PHP SOAP proxy; a fault of its scripts, or of its policy, fails the test."""
+    pages = PhpPages(browser)
+    yield pages.open
+    pages.close()
+    assert pages.faults == []

@@ -25,7 +25,7 @@ export function isUnsent(error) {
   return isSignedOut(error) || (error instanceof Problem && error.code === 'proxy-server-unreachable');
 }
 
-/** Whether the way to the server is broken, or the server itself; else it has answered and refused. @param {unknown} error */
+/** Whether the way to the server is broken, or the server itself; else it has refused. @param {unknown} error */
 export function isBroken(error) {
   return !(error instanceof Problem) || error.status >= 500 || isSignedOut(error);
 }

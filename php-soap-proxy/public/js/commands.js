@@ -1,11 +1,12 @@
 // @ts-check
 /** Commands from the press of a button to an outcome in words; none is forgotten before it has one. */
 import { isBroken, isSignedOut, isUnsent, Problem, sentenceOf } from './api.js';
+import { outcomeOf, uncertainWords } from './outcome.js';
 
 /**
- * @typedef {'busy' | 'succeeded' | 'refused' | 'failed' | 'timedOut' | 'superseded' | 'unknown' | 'notSent'} Result
+ * @typedef {import('./outcome.js').Result} Result
  * @typedef {{ id: string, droneId: string, droneName: string, operation: string, label: string, at: number,
- *   result: Result, words: string, sent: boolean, open: boolean }} Entry
+ *   result: Result, words: string, sent: boolean, open: boolean, session: string }} Entry
  * `sent`: whether the server has confirmed that it knows the command; `open`: whether it is still asked about.
  */
 
@@ -15,9 +16,6 @@ const ASK_MILLISECONDS = 1000;
 /** A request without an answer may still be on its way for this many answers that nobody knows it. */
 const ENOUGH_DENIALS = 6;
 const MOST_ENTRIES = 50;
-const GOES_ON = new Set(['takeoff', 'goto', 'startMission', 'returnToLaunch', 'land']);
-const LOOK =
-  'Look at the drone before you press again. This page goes on asking the server what became of the command.';
 
 /** @param {number} milliseconds @returns {Promise<void>} */
 const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
@@ -29,6 +27,8 @@ export function newId() {
 }
 
 export class Commands {
+  /** Which session asks now: another one may not be told what became of a command. */
+  session = '';
   /** Who gave them, as the server told with the newest; null: it has not told yet. @type {string | null} */
   user = null;
   /** Newest first. @type {Entry[]} */
@@ -78,10 +78,10 @@ export class Commands {
     /** @type {Entry} */
     const entry = {
       ...{ id: newId(), droneId: drone.id, droneName: drone.name, operation, label, at: Date.now() },
-      ...{ result: 'busy', words: 'Sending…', sent: false, open: true },
+      ...{ result: 'busy', words: 'Sending…', sent: false, open: true, session: this.session },
     };
     this.entries.unshift(entry);
-    this.entries.length = Math.min(this.entries.length, MOST_ENTRIES);
+    this.entries = this.entries.filter(({ open }, index) => open || index < MOST_ENTRIES);
     this.#changed();
     const body = { droneId: drone.id, ...parameters, id: entry.id, wait: ANSWER_SECONDS };
     try {
@@ -153,11 +153,11 @@ export class Commands {
         'unknown',
         `What became of it cannot be asked: ${sentenceOf(error)} Look at the drone.`,
       );
-    } else if (denials >= ENOUGH_DENIALS && entry.sent) {
+    } else if (denials >= ENOUGH_DENIALS && (entry.sent || entry.session !== this.session)) {
       this.#close(
         entry,
         'unknown',
-        'The server does not know any more what became of it. Look at the drone.',
+        'The server does not tell any more what became of it. Look at the drone.',
       );
     } else if (denials >= ENOUGH_DENIALS) {
       const words = 'Not carried out: it did not reach the server. Press again if you still mean it.';
@@ -191,31 +191,4 @@ function isDenial(error) {
 /** @param {unknown} error */
 function isTooOften(error) {
   return error instanceof Problem && error.status === 429;
-}
-
-/** @param {string} sentence */
-function uncertainWords(sentence) {
-  return `Not known whether it was carried out: ${sentence} ${LOOK}`;
-}
-
-/** @param {string} operation @param {{ result: Result, by?: string, reason?: string }} outcome @returns {[Result, string]} */
-function outcomeOf(operation, { result, by, reason }) {
-  const why = reason ? `: ${reason}` : '.';
-  switch (result) {
-    case 'succeeded':
-      return [result, GOES_ON.has(operation) ? 'Succeeded: under way.' : 'Succeeded.'];
-    case 'refused':
-      return [result, `Refused by ${by === 'vehicle' ? 'the drone' : 'the server'}${why}`];
-    case 'failed':
-      return [result, `Failed${why}`];
-    case 'timedOut':
-      return [result, `Timed out${why}`];
-    case 'superseded':
-      return [result, `Replaced by a newer command${why}`];
-    default:
-      return [
-        'unknown',
-        `Not known whether it was carried out${why} Look at the drone before you press again.`,
-      ];
-  }
 }

@@ -79,7 +79,10 @@ export class Control {
   }
 }
 
-/** Who commands the drone, in a sentence. @param {Drone} drone @param {string | null} user @param {boolean} kept by this page */
+/**
+ * Who commands the drone, in a sentence.
+ * @param {Drone} drone @param {string | null} user @param {boolean} kept by this page
+ */
 export function controlText({ control }, user, kept) {
   if (control.state === 'pilot') {
     return 'The pilot at the vehicle, or another ground station, commands it.';

@@ -112,7 +112,10 @@ export function crosshair(view) {
   return [svg('path', { class: 'crosshair', d: `M${x - 14} ${y}h10m8 0h10M${x} ${y - 14}v10m0 8v10` })];
 }
 
-/** All drones with their labels, the chosen one on top. @param {View} view @param {readonly Drone[]} drones @param {string | null} chosen */
+/**
+ * All drones with their labels, the chosen one on top.
+ * @param {View} view @param {readonly Drone[]} drones @param {string | null} chosen
+ */
 export function droneMarks(view, drones, chosen) {
   const placed = drones.flatMap((drone) => {
     const place = placeOf(drone);
@@ -137,7 +140,7 @@ export function droneMarks(view, drones, chosen) {
 /** @param {Drone} drone */
 function markOf(drone) {
   if (drone.link.state === 'lost' || drone.link.state === 'ended') {
-    return 'lost';
+    return drone.armed ? 'lost' : 'lost unarmed';
   }
   return drone.link.state === 'suspect' ? 'silent' : isAirborne(drone) ? 'airborne' : 'ground';
 }
@@ -145,7 +148,7 @@ function markOf(drone) {
 /** @param {Drone} drone @param {Point} point @param {boolean} chosen */
 function symbol(drone, { x, y }, chosen) {
   const heading = drone.motion?.heading ?? null;
-  const lost = markOf(drone) === 'lost';
+  const lost = markOf(drone).startsWith('lost');
   const turn = heading === null ? '' : ` rotate(${heading.toFixed(0)})`;
   const shape = heading === null ? 'M-4 0a4 4 0 1 0 8 0a4 4 0 1 0-8 0' : 'M0-8.5 6 7.5 0 4.5-6 7.5Z';
   return [
@@ -156,7 +159,10 @@ function symbol(drone, { x, y }, chosen) {
   ];
 }
 
-/** Name and height where nothing else is; where there is no room, only the symbol. @param {View} view @param {Drone} drone @param {Point} point @param {Box[]} taken */
+/**
+ * Name and height where nothing else is; where there is no room, only the symbol.
+ * @param {View} view @param {Drone} drone @param {Point} point @param {Box[]} taken
+ */
 function label(view, drone, { x, y }, taken) {
   const height = drone.position?.altitudeAboveHome ?? null;
   const text = drone.link.state === 'lost' ? `${drone.name} · lost` : `${drone.name} · ${fixed(height)} m`;

@@ -1,14 +1,18 @@
 // @ts-check
 /** The list of drones: what each is called, where its link comes from, and how it is. */
 import { byId, html, renderList, setAttribute, setText } from './dom.js';
-import { ageText, armedText, fixed, linkText, placeOf, statusOf, UNKNOWN } from './drone.js';
+import { armedText, fixed, linkText, placeOf, statusOf, UNKNOWN, updateText } from './drone.js';
 import { placeText } from './geo.js';
 
 /** @typedef {import('./drone.js').Drone} Drone */
 
+const PARTS = ['symbol', 'name', 'height', 'status', 'age', 'mode', 'battery', 'link', 'place'];
 const SYMBOLS = { neutral: '○', good: '●', look: '▲', act: '✕' };
 
-/** @param {readonly Drone[]} drones @param {string | null} chosen @param {number} now @param {(id: string) => void} choose */
+/**
+ * @param {readonly Drone[]} drones @param {string | null} chosen @param {number} now
+ * @param {(id: string) => void} choose
+ */
 export function renderDrones(drones, chosen, now, choose) {
   setText(byId('drone-count'), String(drones.length));
   byId('no-drones').hidden = drones.length > 0;
@@ -23,18 +27,13 @@ export function renderDrones(drones, chosen, now, choose) {
 
 /** @param {Drone} drone @param {(id: string) => void} choose */
 function row(drone, choose) {
+  const parts = PARTS.map((name) => html('span', { class: name }));
+  parts[0]?.setAttribute('aria-hidden', 'true');
+  // With spaces between them, for who listens.
   const button = html(
     'button',
     { type: 'button', class: 'drone-row' },
-    html('span', { class: 'symbol', 'aria-hidden': 'true' }),
-    html('span', { class: 'name' }),
-    html('span', { class: 'height' }),
-    html('span', { class: 'status' }),
-    html('span', { class: 'age' }),
-    html('span', { class: 'mode' }),
-    html('span', { class: 'battery' }),
-    html('span', { class: 'link' }),
-    html('span', { class: 'place' }),
+    ...parts.flatMap((part) => [part, ' ']),
   );
   button.addEventListener('click', () => choose(drone.id));
   return html('li', {}, button);
@@ -43,7 +42,7 @@ function row(drone, choose) {
 /** @param {HTMLLIElement} child @param {Drone} drone @param {boolean} chosen @param {number} now */
 function update(child, drone, chosen, now) {
   const button = child.firstElementChild;
-  const { words, tone } = statusOf(drone, now);
+  const { words, tone } = statusOf(drone);
   const place = placeOf(drone);
   const { altitudeAboveHome = null, altitudeAmsl = null } = drone.position ?? {};
   const texts = {
@@ -55,7 +54,7 @@ function update(child, drone, chosen, now) {
     battery: `Battery ${drone.battery?.percent ?? UNKNOWN} %`,
     link: linkText(drone),
     place: place === null ? 'Position unknown' : `${placeText(place)} · ${fixed(altitudeAmsl)} m AMSL`,
-    age: `Updated ${ageText(drone.lastUpdate, now)}`,
+    age: `Updated ${updateText(drone, now)}`,
   };
   for (const [name, text] of Object.entries(texts)) {
     const part = button?.querySelector(`.${name}`);

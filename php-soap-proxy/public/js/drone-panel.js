@@ -3,7 +3,6 @@
 import { controlText } from './control.js';
 import { byId, html, renderList, setAttribute, setText } from './dom.js';
 import {
-  ageText,
   armedText,
   batteryText,
   fixed,
@@ -13,6 +12,7 @@ import {
   spanText,
   statusOf,
   UNKNOWN,
+  updateText,
   whyNot,
 } from './drone.js';
 import { distanceMeters, parsePlace, placeText } from './geo.js';
@@ -178,7 +178,7 @@ export class DronePanel {
   /** @param {Drone} drone */
   #renderHead(drone) {
     const now = this.#page.now();
-    const { words, tone } = statusOf(drone, now);
+    const { words, tone } = statusOf(drone);
     setText(byId('chosen-name'), drone.name);
     setText(byId('chosen-status'), words);
     setAttribute(byId('chosen-status'), 'data-tone', tone);
@@ -195,7 +195,7 @@ export class DronePanel {
       home,
       gps: drone.gps === null ? UNKNOWN : `${drone.gps.fix} · ${drone.gps.satellites ?? UNKNOWN}`,
       amsl: `${fixed(drone.position?.altitudeAmsl)} m`,
-      age: ageText(drone.lastUpdate, now),
+      age: updateText(drone, now),
       place: place === null ? UNKNOWN : placeText(place),
     };
     for (const [name, text] of Object.entries(readings)) {

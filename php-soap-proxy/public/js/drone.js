@@ -49,15 +49,15 @@ export function spanText(milliseconds) {
   return seconds < 86_400 ? `${Math.floor(seconds / 3600)} h` : `${Math.floor(seconds / 86_400)} d`;
 }
 
-/** @param {string} iso @param {number} now the server's time */
-export function ageText(iso, now) {
-  const age = now - Date.parse(iso);
+/** The time since anything was heard of it. @param {Drone} drone @param {number} now the server's time */
+export function updateText({ link, lastUpdate }, now) {
+  const age = now - Date.parse(link.lastHeard ?? lastUpdate);
   return age < 2000 ? 'now' : `${spanText(age)} ago`;
 }
 
 /** @param {number} meters */
 export function metersText(meters) {
-  return meters < 1000 ? `${Math.round(meters)} m` : `${(meters / 1000).toFixed(2)} km`;
+  return meters < 1000 ? `${Math.round(meters)} m` : `${Number((meters / 1000).toFixed(2))} km`;
 }
 
 /** @param {Drone} drone @returns {Place | null} */
@@ -65,18 +65,17 @@ export function placeOf({ position }) {
   return position && position.latitude !== null && position.longitude !== null ? position : null;
 }
 
-/** The state of a drone in words, and how urgent it is. @param {Drone} drone @param {number} now */
-export function statusOf(drone, now) {
+/** The state of a drone in words, and how urgent it is. @param {Drone} drone */
+export function statusOf(drone) {
   const { link, armed } = drone;
-  const silent = link.lastHeard === null ? '' : ` for ${spanText(now - Date.parse(link.lastHeard))}`;
   switch (link.state) {
     case 'ended':
       return status('Replay ended', 'neutral');
     case 'lost':
       // One that was armed may still be flying: that needs somebody.
-      return status(`Lost: not heard${silent}`, armed ? 'act' : 'neutral');
+      return status('Lost: not heard', armed ? 'act' : 'neutral');
     case 'suspect':
-      return status(`Silent${silent}`, 'look');
+      return status('Silent', 'look');
     default:
       return flightStatus(drone);
   }

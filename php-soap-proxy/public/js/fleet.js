@@ -1,6 +1,6 @@
 // @ts-check
 /** The drones as the server last told them: asked for once a second while somebody looks at the page. */
-import { isSignedOut, sentenceOf } from './api.js';
+import { isSignedOut, isUnsent, Problem, sentenceOf } from './api.js';
 
 const EVERY_MILLISECONDS = 1000;
 const MOST_MILLISECONDS = 8000;
@@ -14,6 +14,8 @@ export class Fleet {
   answeredAt = null;
   /** Why the newest question has no answer. @type {string | null} */
   problem = null;
+  /** When the first question was asked that has no answer yet. @type {number | null} */
+  #since = null;
   #api;
   #onChange;
   #failures = 0;
@@ -33,8 +35,15 @@ export class Fleet {
     });
   }
 
+  /** How long the server has not answered; 0: it has answered the newest question. */
+  get silentMilliseconds() {
+    return this.#since === null ? 0 : Date.now() - this.#since;
+  }
+
   /** Asks at once, and from then on. */
   start() {
+    // Nobody was asked while nobody looked.
+    this.#since = null;
     clearTimeout(this.#timer);
     this.#loop = Math.abs(this.#loop) + 1;
     void this.#ask(this.#loop);
@@ -52,6 +61,7 @@ export class Fleet {
 
   /** @param {number} loop */
   async #ask(loop) {
+    this.#since ??= Date.now();
     try {
       const { drones } = await this.#api.call('getDronesList');
       if (loop !== this.#loop) {
@@ -60,12 +70,13 @@ export class Fleet {
       this.drones = [...(drones ?? [])].sort((one, other) => byName.compare(one.name, other.name));
       this.answeredAt = Date.now();
       this.problem = null;
+      this.#since = null;
       this.#failures = 0;
     } catch (error) {
       if (loop !== this.#loop || isSignedOut(error)) {
         return;
       }
-      this.problem = sentenceOf(error);
+      this.problem = whyNoAnswer(error);
       this.#failures += 1;
     }
     this.#onChange();
@@ -73,4 +84,13 @@ export class Fleet {
       this.#timer = setTimeout(() => void this.#ask(loop), this.waitMilliseconds);
     }
   }
+}
+
+/** Nothing was to be carried out: only who does not answer matters. @param {unknown} error */
+function whyNoAnswer(error) {
+  if (isUnsent(error)) {
+    return 'The Dronemap server cannot be reached.';
+  }
+  const timedOut = error instanceof Problem && error.code === 'proxy-server-timeout';
+  return timedOut ? 'The Dronemap server does not answer.' : sentenceOf(error);
 }

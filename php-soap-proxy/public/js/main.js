@@ -11,12 +11,13 @@ import { Fleet } from './fleet.js';
 import { distanceMeters, placeText } from './geo.js';
 import { FlightMap } from './map.js';
 import { MissionPanel } from './mission-panel.js';
-import { Drafts } from './mission.js';
+import { Drafts, withChange } from './mission.js';
 import { SignIn } from './sign-in.js';
 
 /** @typedef {import('./geo.js').Place} Place */
 
 const CHOSEN = 'dronemap-chosen';
+const SESSION_ENDED = 'Your session has ended. Sign in again; your draft of a mission is kept.';
 const STALE_MILLISECONDS = 3000;
 const TRACK_POINTS = 900;
 const TRACK_METERS = 0.5;
@@ -57,12 +58,7 @@ const map = new FlightMap({
   scene: () => ({ drones: fleet.drones, chosen: chosen(), draft: draft(), target, tool, tracks }),
   ...{ choose, setTarget },
   addWaypoint: (place) => missionPanel.add(place),
-  moveWaypoint: (key, { latitude, longitude }) => {
-    const waypoints = draft().waypoints.map((one) =>
-      one.key === key ? { ...one, latitude, longitude } : one,
-    );
-    setDraft({ ...draft(), waypoints });
-  },
+  moveWaypoint: (key, place) => setDraft(withChange(draft(), key, place)),
 });
 const signIn = new SignIn(api, begin);
 
@@ -98,7 +94,9 @@ function setTarget(place) {
     return;
   }
   if (place !== null && target === null) {
-    byId('fly-height').value = String(Math.max(2, Math.round(drone?.position?.altitudeAboveHome ?? 10)));
+    // While it climbs, the height that it is at is none to fly away at.
+    const height = Math.round(drone?.position?.altitudeAboveHome ?? 0);
+    byId('fly-height').value = String(Math.max(height, byId('take-off-height').valueAsNumber || 0));
   }
   target = place;
   byId('fly-place').value = place === null ? '' : placeText(place);
@@ -107,7 +105,7 @@ function setTarget(place) {
 
 /** Also while a question is still waiting for its answer: the server may hang. */
 function isStale() {
-  return fleet.answeredAt !== null && Date.now() - fleet.answeredAt > STALE_MILLISECONDS;
+  return fleet.silentMilliseconds > STALE_MILLISECONDS;
 }
 
 function whyNoCommand() {
@@ -168,6 +166,7 @@ function renderTool() {
 function begin(session) {
   ({ user } = session);
   setText(byId('who'), user ?? 'by access key');
+  commands.session = `${user} ${session.expires}`;
   signIn.hide();
   fleet.start();
   update();
@@ -175,7 +174,7 @@ function begin(session) {
 
 api.onSignedOut = () => {
   fleet.stop();
-  signIn.show('Your session has ended. Sign in again; your draft of a mission is kept.');
+  signIn.show(SESSION_ENDED);
 };
 
 for (const name of /** @type {const} */ (['look', 'fly', 'waypoints'])) {
@@ -212,7 +211,7 @@ async function open() {
   } catch (error) {
     if (isSignedOut(error)) {
       api.forget();
-      signIn.show('Your session has ended. Sign in again; your draft of a mission is kept.');
+      signIn.show(SESSION_ENDED);
     } else if (error instanceof NoAnswer) {
       signIn.show(`${sentenceOf(error)} Load this page again when it runs.`);
     } else {

@@ -143,7 +143,7 @@ export class FlightMap {
     }
   }
 
-  /** Waypoints can be taken hold of while they are planned, so that no drag of the map moves one. @param {Point} point */
+  /** Only while waypoints are planned: no other drag of the map moves one. @param {Point} point */
   #waypointAt(point) {
     const { tool, draft } = this.#page.scene();
     const places = draft.waypoints.map((waypoint) => ({ key: waypoint.key, place: waypoint }));

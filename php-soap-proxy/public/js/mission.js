@@ -37,7 +37,11 @@ export function without(draft, key) {
   return { ...draft, waypoints: draft.waypoints.filter((one) => one.key !== key) };
 }
 
-/** One place earlier (−1) or later (+1). @param {Draft} draft @param {number} key @param {-1 | 1} by @returns {Draft} */
+/**
+ * One place earlier (−1) or later (+1).
+ * @param {Draft} draft @param {number} key @param {-1 | 1} by
+ * @returns {Draft}
+ */
 export function shifted(draft, key, by) {
   const from = draft.waypoints.findIndex((one) => one.key === key);
   const waypoints = [...draft.waypoints];

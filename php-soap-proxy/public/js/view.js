@@ -9,8 +9,8 @@ const MOST_SCALE = 2 ** 29;
 /** "Show all" shows at least so much, for a single drone. */
 const LEAST_METERS = 200;
 const MARGIN_PIXELS = 56;
-/** From here on a drone is a point among others: choosing one comes as near as 1 m a pixel. */
-const FAR_METERS_PER_PIXEL = 5;
+/** As near as choosing a drone comes, at least. */
+const NEAR_METERS_PER_PIXEL = 0.5;
 
 export class View {
   width = 1;
@@ -59,15 +59,10 @@ export class View {
     this.scale = scale;
   }
 
-  /** Comes nearer and to the place where it cannot be seen well enough. @param {Place} place */
+  /** In the middle, and near enough to see where it is. @param {Place} place */
   show(place) {
-    const { x, y } = this.toPixels(place);
-    const inside = x > 0 && y > 0 && x < this.width && y < this.height;
-    const near = this.metersPerPixel <= FAR_METERS_PER_PIXEL;
-    if (!inside || !near) {
-      this.center = project(place);
-      this.zoom(near ? 1 : this.metersPerPixel);
-    }
+    this.center = project(place);
+    this.zoom(Math.max(1, this.metersPerPixel / NEAR_METERS_PER_PIXEL));
   }
 
   /** @param {readonly Place[]} places */

@@ -4,6 +4,7 @@ import static org.dronemap.example.RestCalls.orProblem;
 
 import java.util.List;
 import org.dronemap.example.rest.DronesApi;
+import org.dronemap.example.rest.model.ControlView;
 import org.dronemap.example.rest.model.DroneLinkView;
 import org.dronemap.example.rest.model.DroneView;
 
@@ -60,7 +61,8 @@ public final class FlyByRest {
     private static boolean isReady(DroneView drone) {
         return drone.getLink().getState() == DroneLinkView.StateEnum.LIVE
                 && !drone.getReplay()
-                && drone.getFlight() == DroneView.FlightEnum.ON_GROUND
+                && drone.getControl().getState() == ControlView.StateEnum.FREE
+                && Boolean.FALSE.equals(drone.getArmed())
                 && Boolean.TRUE.equals(drone.getReadyToArm())
                 && drone.getHome() != null;
     }

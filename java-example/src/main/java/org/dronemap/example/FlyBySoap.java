@@ -60,7 +60,8 @@ public final class FlyBySoap {
     private static boolean isReady(DroneView drone) {
         return drone.getLink().getState().equals("live")
                 && !drone.isReplay()
-                && "onGround".equals(drone.getFlight())
+                && drone.getControl().getState().equals("free")
+                && Boolean.FALSE.equals(drone.isArmed())
                 && Boolean.TRUE.equals(drone.isReadyToArm())
                 && drone.getHome() != null;
     }

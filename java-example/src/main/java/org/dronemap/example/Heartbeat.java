@@ -22,7 +22,7 @@ final class Heartbeat implements AutoCloseable {
 
     private final ScheduledExecutorService timer = Executors.newSingleThreadScheduledExecutor();
     private final Beat beat;
-    private long epoch; // used by the timer's thread alone
+    private volatile long epoch; // written by the timer's thread alone
     private volatile FlightException lost;
 
     Heartbeat(long epoch, Beat beat) {
@@ -51,6 +51,12 @@ final class Heartbeat implements AutoCloseable {
         if (lost != null) {
             throw new FlightException("Control has ended: " + lost.getMessage(), lost);
         }
+    }
+
+    /** Of the control that is held: a command with it is refused once somebody else has control. */
+    long epoch() throws FlightException {
+        check();
+        return epoch;
     }
 
     /** Returns when the last one is over, so that none comes after control was given back. */

@@ -23,7 +23,7 @@ import org.dronemap.example.rest.model.TakeOffCommand;
 /** A drone under control of this program, by REST, until it is closed; one that is in the air then is called home. */
 final class RestDrone implements AutoCloseable {
     private static final double OUTCOME_SECONDS = 30;
-    private static final Duration LONGEST_WAY = Duration.ofMinutes(2);
+    private static final Duration LONGEST_WAY = Duration.ofMinutes(5);
 
     private final CommandsApi commands;
     private final ControlApi control;
@@ -50,15 +50,16 @@ final class RestDrone implements AutoCloseable {
         if (mode != null) {
             // The vehicle arms in another mode only, as after a return.
             SetModeCommand change = new SetModeCommand().type(SetModeCommand.TypeEnum.SET_MODE);
-            carryOut(new CommandRequest(change.mode(mode)));
+            carryOut(new CommandRequest(change.mode(mode).epoch(heartbeat.epoch())));
         }
-        carryOut(new CommandRequest(new ArmCommand().type(ArmCommand.TypeEnum.ARM)));
+        ArmCommand command = new ArmCommand().type(ArmCommand.TypeEnum.ARM);
+        carryOut(new CommandRequest(command.epoch(heartbeat.epoch())));
     }
 
     /** Returns when it is so many metres above home. */
     void takeOff(double height) throws FlightException {
         TakeOffCommand command = new TakeOffCommand().type(TakeOffCommand.TypeEnum.TAKE_OFF);
-        carryOut(new CommandRequest(command.altitude(height)));
+        carryOut(new CommandRequest(command.altitude(height).epoch(heartbeat.epoch())));
         waitUntil("it is " + height + " m above home", drone -> isAt(height, drone.getPosition()));
     }
 
@@ -66,7 +67,7 @@ final class RestDrone implements AutoCloseable {
     void goTo(Place place, double height) throws FlightException {
         GoToCommand command = new GoToCommand().type(GoToCommand.TypeEnum.GO_TO);
         command.latitude(place.latitude()).longitude(place.longitude()).altitude(height);
-        carryOut(new CommandRequest(command));
+        carryOut(new CommandRequest(command.epoch(heartbeat.epoch())));
         waitUntil("it is at " + place, drone -> {
             DronePositionView now = drone.getPosition();
             return isAt(height, now) && place.isNear(now.getLatitude(), now.getLongitude());
@@ -75,7 +76,7 @@ final class RestDrone implements AutoCloseable {
 
     /** Returns when it has landed and its motors stand. */
     void returnHome() throws FlightException {
-        carryOut(returnToLaunch());
+        callHome();
         waitUntil("it has landed", drone -> Boolean.FALSE.equals(drone.getArmed()));
     }
 
@@ -83,7 +84,7 @@ final class RestDrone implements AutoCloseable {
     public void close() throws FlightException {
         try {
             if (heartbeat.holds() && isInTheAir()) {
-                carryOut(returnToLaunch());
+                callHome();
             }
         } finally {
             heartbeat.close();
@@ -93,8 +94,10 @@ final class RestDrone implements AutoCloseable {
         }
     }
 
-    private static CommandRequest returnToLaunch() {
-        return new CommandRequest(new ReturnToLaunchCommand().type(ReturnToLaunchCommand.TypeEnum.RETURN_TO_LAUNCH));
+    private void callHome() throws FlightException {
+        ReturnToLaunchCommand command =
+                new ReturnToLaunchCommand().type(ReturnToLaunchCommand.TypeEnum.RETURN_TO_LAUNCH);
+        carryOut(new CommandRequest(command.epoch(heartbeat.epoch())));
     }
 
     /** Returns when the command has succeeded. */

@@ -5,6 +5,7 @@ import static org.dronemap.example.SoapCalls.orProblem;
 import java.time.Duration;
 import java.util.Set;
 import java.util.function.Predicate;
+import org.dronemap.example.soap.DronemapFault;
 import org.dronemap.example.soap.MAVLinkActionWebService;
 import org.dronemap.example.soap.model.CommandOutcomeView;
 import org.dronemap.example.soap.model.CommandView;
@@ -15,7 +16,11 @@ import org.dronemap.example.soap.model.MapOfDroneActionView;
 /** A drone under control of this program, by SOAP, until it is closed; one that is in the air then is called home. */
 final class SoapDrone implements AutoCloseable {
     private static final double OUTCOME_SECONDS = 30;
-    private static final Duration LONGEST_WAY = Duration.ofMinutes(2);
+    private static final Duration LONGEST_WAY = Duration.ofMinutes(5);
+
+    private interface Command {
+        CommandView give(long epoch) throws DronemapFault;
+    }
 
     private final MAVLinkActionWebService service;
     private final String id;
@@ -30,27 +35,27 @@ final class SoapDrone implements AutoCloseable {
                 taken, epoch -> orProblem(() -> quick.keepControl(id, epoch)).getEpoch());
     }
 
-    // What may be left out of a call is null: the command's own id, and the epoch of control that it needs.
+    // What may be left out of a call is null, such as a command's own id.
 
     void arm() throws FlightException {
         String mode = modeToArmIn();
         if (mode != null) {
             // The vehicle arms in another mode only, as after a return.
-            carryOut(() -> service.setMode(id, mode, null, null, OUTCOME_SECONDS));
+            carryOut(epoch -> service.setMode(id, mode, null, epoch, OUTCOME_SECONDS));
         }
-        carryOut(() -> service.arm(id, null, null, OUTCOME_SECONDS));
+        carryOut(epoch -> service.arm(id, null, epoch, OUTCOME_SECONDS));
     }
 
     /** Returns when it is so many metres above home. */
     void takeOff(double height) throws FlightException {
-        carryOut(() -> service.takeoff(id, height, null, null, OUTCOME_SECONDS));
+        carryOut(epoch -> service.takeoff(id, height, null, epoch, OUTCOME_SECONDS));
         waitUntil("it is " + height + " m above home", drone -> isAt(height, drone.getPosition()));
     }
 
     /** Returns when it is there, at so many metres above home. */
     void goTo(Place place, double height) throws FlightException {
-        carryOut(() -> service.gotoPlace(
-                id, place.latitude(), place.longitude(), height, "home", null, null, OUTCOME_SECONDS));
+        carryOut(epoch -> service.gotoPlace(
+                id, place.latitude(), place.longitude(), height, "home", null, epoch, OUTCOME_SECONDS));
         waitUntil("it is at " + place, drone -> {
             DronePositionView now = drone.getPosition();
             return isAt(height, now) && place.isNear(now.getLatitude(), now.getLongitude());
@@ -78,12 +83,13 @@ final class SoapDrone implements AutoCloseable {
     }
 
     private void callHome() throws FlightException {
-        carryOut(() -> service.returnToLaunch(id, null, null, OUTCOME_SECONDS));
+        carryOut(epoch -> service.returnToLaunch(id, null, epoch, OUTCOME_SECONDS));
     }
 
     /** Returns when the command has succeeded. */
-    private static void carryOut(SoapCalls.Call<CommandView> command) throws FlightException {
-        CommandOutcomeView outcome = orProblem(command).getOutcome();
+    private void carryOut(Command command) throws FlightException {
+        long epoch = heartbeat.epoch();
+        CommandOutcomeView outcome = orProblem(() -> command.give(epoch)).getOutcome();
         if (outcome == null) {
             throw new FlightException("The command is still under way after " + OUTCOME_SECONDS + " s.");
         }
