@@ -4,6 +4,7 @@ declare(strict_types=1);
 
 namespace Dronemap\SoapProxy\Tests;
 
+use Dronemap\SoapProxy\Contract\Contract;
 use PHPUnit\Framework\TestCase;
 
 /**
@@ -225,6 +226,35 @@ final class ServerTest extends TestCase
             return ['list', $json === [] ? null : self::form($json[0])];
         }
         return is_int($json) || is_float($json) ? 'number' : gettype($json);
+    }
+
+    /** @dataProvider operations */
+    public function testEachOperationIsTheServersOwn(string $operation): void
+    {
+        $told = self::viewersBrowser()->call($operation);
+        $code = $told['json']->code ?? '';
+        self::assertLessThan(500, $told['status'], $code);
+        self::assertStringStartsNotWith('proxy-', $code);
+        // A viewer who says nothing is shown lists, or told what is missing, or that it is not for viewers.
+        self::assertContains($told['status'], [200, 204, 403, 404, 422], $told['json']->detail ?? '');
+    }
+
+    /** One for all of them, signed in once. */
+    private static function viewersBrowser(): Browser
+    {
+        static $browser = null;
+        if ($browser === null) {
+            $browser = new Browser(self::setting('DRONEMAP_PHP_PROXY'));
+            $browser->signIn(['key' => self::setting('DRONEMAP_VIEWER_KEY')]);
+        }
+        return $browser;
+    }
+
+    /** @return array<string, array{string}> */
+    public function operations(): array
+    {
+        $names = array_keys(Contract::written()->operations);
+        return array_combine($names, array_map(static fn (string $name): array => [$name], $names));
     }
 
     public function testReadingByGetIsThePapersWay(): void

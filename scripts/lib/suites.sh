@@ -180,6 +180,8 @@ suite_typescript() {
 suite_typescript_checks() {
     check typescript lint env -C "$ROOT/web-client" CI=true npm run lint
     check typescript types env -C "$ROOT/web-client" CI=true npm run check
+    # Its page has no build of its own and no packages: it is judged by the compiler of the other page.
+    check typescript "types php-soap-proxy" env -C "$ROOT/web-client" npx tsc --project ../php-soap-proxy/jsconfig.json
     check typescript "lint sdk-typescript" in_typescript sdk-typescript npm run lint
     check typescript "types sdk-typescript" in_typescript sdk-typescript npm run check
     check typescript "package sdk-typescript" in_typescript sdk-typescript npm run package
