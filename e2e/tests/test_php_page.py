@@ -126,9 +126,11 @@ def test_a_phone_flies_and_lands(
 
     page.click_waypoints(copter["id"])
     drawn = page.waypoints()
+    page.page.get_by_label("At the end").select_option("Return to launch")
     page.press("Save to drone")
-    page.says("Succeeded")
+    page.says("Save the mission of 3 waypoints. Succeeded.")
     assert are_same(on_board(api, copter), drawn)
+    assert api.drone(copter["id"])["mission"]["items"][-1] == {"type": "returnToLaunch"}
     page.picture("phone")
     page.press("Hold")
     page.says("Hold. Succeeded.")

@@ -113,16 +113,17 @@ export function crosshair(view) {
 }
 
 /**
- * All drones with their labels, the chosen one on top.
- * @param {View} view @param {readonly Drone[]} drones @param {string | null} chosen
+ * All drones with their labels, the chosen one on top; no label covers one of the places.
+ * @param {View} view @param {readonly Drone[]} drones @param {string | null} chosen @param {readonly Place[]} places
  */
-export function droneMarks(view, drones, chosen) {
+export function droneMarks(view, drones, chosen, places) {
   const placed = drones.flatMap((drone) => {
     const place = placeOf(drone);
     return place === null ? [] : [{ drone, point: view.toPixels(place) }];
   });
   placed.sort((one, other) => Number(one.drone.id === chosen) - Number(other.drone.id === chosen));
-  const taken = placed.map(({ point }) => box(point.x - 15, point.y - 15, 30, 30));
+  const points = [...placed.map(({ point }) => point), ...places.map((place) => view.toPixels(place))];
+  const taken = points.map(({ x, y }) => box(x - 15, y - 15, 30, 30));
   return placed
     .reverse()
     .map(({ drone, point }) => {

@@ -110,11 +110,19 @@ export class FlightMap {
       // What is on board is drawn as that.
       ...(isOnBoard(draft, chosen?.mission.items ?? []) ? [] : this.#draftMarks(draft)),
       ...(chosen?.home ? [drawing.homeMark(view, chosen.home)] : []),
-      svg('g', {}, ...drawing.droneMarks(view, drones, chosen?.id ?? null)),
+      svg('g', {}, ...drawing.droneMarks(view, drones, chosen?.id ?? null, this.#marked())),
       ...(target === null ? [] : [drawing.targetMark(view, target)]),
       ...drawing.scaleBar(view),
       ...(tool === 'look' ? [] : drawing.crosshair(view)),
     );
+  }
+
+  /** Places with marks of their own, beside the drones. @returns {Place[]} */
+  #marked() {
+    const { chosen, draft, target } = this.#page.scene();
+    const board = (chosen?.mission.items ?? []).flatMap((item) => item.waypoint ?? []);
+    const places = [chosen?.home ?? null, target, ...draft.waypoints, ...board];
+    return places.filter((place) => place !== null);
   }
 
   /** @param {import('./mission.js').Draft} draft */

@@ -39,7 +39,8 @@ export class MissionPanel {
     );
     byId('load').addEventListener('click', () => this.#load());
     byId('discard').addEventListener('click', () => page.setDraft(missions.emptyDraft()));
-    byId('ending').addEventListener('change', () => {
+    // Not "change", which comes after the page was drawn anew for the input.
+    byId('ending').addEventListener('input', () => {
       page.setDraft({ ...page.draft(), ending: byId('ending').value });
     });
   }

@@ -125,7 +125,10 @@ export function onBoardText({ items, total, running, state, reached }) {
   if (running) {
     return `On the drone: mission is running, ${far}.`;
   }
-  return `On the drone: ${state === 'paused' ? `mission is paused, ${far}` : `${count} items, not running`}.`;
+  if (state === 'paused' || done > 0) {
+    return `On the drone: mission is ${state === 'paused' ? 'paused' : 'not running'}, ${far}.`;
+  }
+  return `On the drone: mission of ${count} items, not running.`;
 }
 
 /** The drafts of this tab, one for each drone; they outlive a reload and the end of a session. */
