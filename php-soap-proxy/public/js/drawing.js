@@ -123,7 +123,7 @@ export function droneMarks(view, drones, chosen, places) {
   });
   placed.sort((one, other) => Number(one.drone.id === chosen) - Number(other.drone.id === chosen));
   const points = [...placed.map(({ point }) => point), ...places.map((place) => view.toPixels(place))];
-  const taken = points.map(({ x, y }) => box(x - 15, y - 15, 30, 30));
+  const taken = [...toolBoxes(view), ...points.map(({ x, y }) => box(x - 15, y - 15, 30, 30))];
   return placed
     .reverse()
     .map(({ drone, point }) => {
@@ -136,6 +136,11 @@ export function droneMarks(view, drones, chosen, places) {
       );
     })
     .reverse();
+}
+
+/** Where page.css lays buttons over the map. @param {View} view */
+function toolBoxes(view) {
+  return [box(0, 0, 245, 64), box(view.width - 60, 0, 60, 210)];
 }
 
 /** @param {Drone} drone */
