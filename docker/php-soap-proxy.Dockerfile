@@ -5,7 +5,7 @@
 FROM debian:bookworm-slim
 
 RUN apt-get update \
-    && apt-get install -y --no-install-recommends apache2 ca-certificates curl libapache2-mod-php php-soap \
+    && apt-get install -y --no-install-recommends apache2 ca-certificates curl libapache2-mod-php php-soap php-xml \
     && rm -rf /var/lib/apt/lists/* \
     && a2dismod -q status \
     && echo 'Listen 8080' > /etc/apache2/ports.conf

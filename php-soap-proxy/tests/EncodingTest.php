@@ -45,10 +45,14 @@ final class EncodingTest extends TestCase
             if ($described['service'] !== $service) {
                 continue;
             }
-            $body = json_encode(self::filled($described['parameters'], $contract));
+            $filled = self::filled($described['parameters'], $contract);
+            $body = json_encode($filled);
             $reader = new ArgumentReader($contract);
             $arguments = $reader->read($contract->operation($name), Requests::post((string) $body));
-            self::assertSame([], $this->faults($client->written($name, $arguments), $schema), "$name: $body");
+            $written = $client->written($name, $arguments);
+            self::assertSame([], $this->faults($written, $schema), "$name: $body");
+            // A list that got lost would be one that is empty to the schema.
+            self::assertSame(self::values($filled), preg_match_all('/>[^<>\s][^<>]*</', $written), "$name: $body");
         }
     }
 
@@ -67,6 +71,13 @@ final class EncodingTest extends TestCase
             $filled[$name] = self::sample(Type::bare($type), $contract);
         }
         return (object) $filled;
+    }
+
+    private static function values(mixed $filled): int
+    {
+        return is_array($filled) || is_object($filled)
+            ? array_sum(array_map(self::values(...), (array) $filled))
+            : 1;
     }
 
     private static function sample(string $type, Contract $contract): mixed

@@ -56,7 +56,10 @@ has_node() {
 
 has_venv() { python3 -c 'import venv, ensurepip' 2>/dev/null; }
 
-has_php_soap() { php -r 'exit(extension_loaded("soap") ? 0 : 1);' 2>/dev/null; }
+# The PHP page needs both extensions.
+missing_php() {
+    php -r 'exit(extension_loaded("soap") && extension_loaded("dom") ? 0 : 1);' 2>/dev/null || printf '%s\n' php-cli php-soap php-xml
+}
 
 find_chromium() { command -v chromium || command -v chromium-browser || command -v google-chrome; }
 
@@ -68,7 +71,7 @@ missing_packages() { # [for-tests]
     command -v ss >/dev/null || echo iproute2
     [[ -e /etc/ssl/certs/ca-certificates.crt || ! -e /etc/debian_version ]] || echo ca-certificates
     if ! has_node && [[ ! -x $TOOLS/node/bin/node ]] && ! has_venv; then echo python3-venv; fi
-    if [[ $WANT_PHP == true ]] && ! has_php_soap; then printf '%s\n' php-cli php-soap; fi
+    if [[ $WANT_PHP == true ]]; then missing_php; fi
     [[ ${1:-} == for-tests ]] || return 0
     has_venv || echo python3-venv
     command -v git >/dev/null || echo git
@@ -76,8 +79,8 @@ missing_packages() { # [for-tests]
     command -v openssl >/dev/null || echo openssl
     find_chromium >/dev/null || echo chromium
     command -v certutil >/dev/null || echo libnss3-tools
-    has_php_soap || printf '%s\n' php-cli php-soap
-    command -v phpunit >/dev/null || printf '%s\n' phpunit php-xml
+    missing_php
+    command -v phpunit >/dev/null || echo phpunit
     command -v phpcs >/dev/null || echo php-codesniffer
     missing_ros
 }

@@ -22,6 +22,12 @@ final readonly class PhpSessionStore implements SessionStore
             return [];
         }
         $this->start(['read_and_close' => true]);
+        if ($_SESSION === []) {
+            // PHP has begun a new one under another name; nobody needs it.
+            session_start();
+            session_destroy();
+            header_remove('Set-Cookie');
+        }
         return $_SESSION;
     }
 
