@@ -1,6 +1,7 @@
 // @ts-check
 /** Calls of the two PHP programs beside this page. Nothing else is called from here. */
 
+const UNSENT = new Set(['proxy-server-unreachable', 'proxy-extension-missing']);
 const TOKEN = 'dronemap-token';
 /** Longer than the proxy waits for the server, which knows more about what happened. */
 const ANSWER_MILLISECONDS = 30_000;
@@ -22,7 +23,7 @@ export class NoAnswer extends Error {}
 
 /** Whether nothing of the request has reached the Dronemap server. @param {unknown} error */
 export function isUnsent(error) {
-  return isSignedOut(error) || (error instanceof Problem && error.code === 'proxy-server-unreachable');
+  return isSignedOut(error) || (error instanceof Problem && UNSENT.has(error.code ?? ''));
 }
 
 /** Whether the way to the server is broken, or the server itself; else it has refused. @param {unknown} error */

@@ -138,7 +138,7 @@ export function droneMarks(view, drones, chosen, places) {
     .reverse();
 }
 
-/** Where page.css lays buttons over the map. @param {View} view */
+/** Where map.css lays buttons over the map. @param {View} view */
 function toolBoxes(view) {
   return [box(0, 0, 245, 64), box(view.width - 60, 0, 60, 210)];
 }

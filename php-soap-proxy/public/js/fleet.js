@@ -1,6 +1,6 @@
 // @ts-check
 /** The drones as the server last told them: asked for once a second while somebody looks at the page. */
-import { isSignedOut, isUnsent, Problem, sentenceOf } from './api.js';
+import { isSignedOut, Problem, sentenceOf } from './api.js';
 
 const EVERY_MILLISECONDS = 1000;
 const MOST_MILLISECONDS = 8000;
@@ -88,9 +88,12 @@ export class Fleet {
 
 /** Nothing was to be carried out: only who does not answer matters. @param {unknown} error */
 function whyNoAnswer(error) {
-  if (isUnsent(error)) {
-    return 'The Dronemap server cannot be reached.';
+  switch (error instanceof Problem ? error.code : null) {
+    case 'proxy-server-unreachable':
+      return 'The Dronemap server cannot be reached.';
+    case 'proxy-server-timeout':
+      return 'The Dronemap server does not answer.';
+    default:
+      return sentenceOf(error);
   }
-  const timedOut = error instanceof Problem && error.code === 'proxy-server-timeout';
-  return timedOut ? 'The Dronemap server does not answer.' : sentenceOf(error);
 }
