@@ -72,7 +72,7 @@ def test_line_to_the_server_that_is_cut(
 ) -> None:
     """End to end because a line is cut between PHP and the server."""
     line = CuttableProxy(server.http_port)
-    proxy = PhpProxy(f"http://127.0.0.1:{line.port}", tmp_path, DRONEMAP_PHP_PATIENCE="2")
+    proxy = PhpProxy(f"http://127.0.0.1:{line.port}", tmp_path, DRONEMAP_PHP_PATIENCE="10")
     proxy.start()
     try:
         page = php_page(proxy, Pointer())
@@ -87,6 +87,9 @@ def test_line_to_the_server_that_is_cut(
         line.restore()
         expect(page.page.get_by_text("● Connected")).to_be_visible()
         expect(page.button("Arm")).to_have_attribute("aria-disabled", "false")
+        proxy.stop()
+        page.press("Sign out")
+        expect(page.page.get_by_role("alert").filter(has_text="You are still signed in.")).to_be_visible()
     finally:
         proxy.stop()
         line.close()

@@ -43,6 +43,8 @@ let chosenId = sessionStorage.getItem(CHOSEN);
 let target = null;
 /** @type {import('./map.js').Tool} */
 let tool = 'look';
+/** Why signing out has not succeeded. */
+let signOutProblem = '';
 
 const chosen = () => fleet.drones.find((drone) => drone.id === chosenId) ?? null;
 const draft = () => drafts.of(chosenId);
@@ -144,7 +146,8 @@ function renderConnection() {
   const line = byId('connection');
   setAttribute(line, 'data-tone', broken ? 'act' : 'good');
   setText(line, broken ? '▲ No connection' : answeredAt === null ? 'Connecting…' : '● Connected');
-  byId('trouble').hidden = !broken;
+  byId('trouble').hidden = !broken && signOutProblem === '';
+  setText(byId('trouble-sign-out'), signOutProblem);
   const why = problem ?? 'The Dronemap server does not answer.';
   const again = problem === null ? 'Still waiting.' : `Asked again every ${waitMilliseconds / 1000} s.`;
   setText(byId('trouble-why'), broken ? `No connection to the drones. ${why} ${again}` : '');
@@ -165,6 +168,7 @@ function renderTool() {
 /** @param {import('./api.js').Session} session */
 function begin(session) {
   ({ user } = session);
+  signOutProblem = '';
   setText(byId('who'), user ?? 'by access key');
   commands.session = `${user} ${session.expires}`;
   signIn.hide();
@@ -193,7 +197,8 @@ byId('sign-out').addEventListener('click', async () => {
     await api.signOut();
   } catch (error) {
     if (!isSignedOut(error)) {
-      panel.say(`You are still signed in. ${sentenceOf(error)} Try again.`);
+      signOutProblem = `You are still signed in. ${sentenceOf(error)} Press “Sign out” again.`;
+      update();
       return;
     }
   }
