@@ -80,5 +80,13 @@ def test_end_of_a_mission_is_one_that_was_begun() -> None:
     assert over(state(flight="onGround", armed=False))
 
 
+def test_touchdown_before_the_motors_stop_does_not_interrupt_a_mission() -> None:
+    running = {"running": True, "reached": [], "state": "running"}
+    down = state(flight="onGround", armed=True, mission=running)
+    disarmed = state(flight="onGround", armed=False, mission=running)
+    states = _each([state(armed=True, mission=running), down, disarmed])
+    assert asyncio.run(arrived(states, mission_flown(), "at the end of its mission")) is disarmed
+
+
 def test_ground() -> None:
     assert on_ground(state(flight="onGround"))
