@@ -71,6 +71,7 @@ missing_packages() { # [for-tests]
     command -v git >/dev/null || echo git
     command -v shellcheck >/dev/null || echo shellcheck
     command -v openssl >/dev/null || echo openssl
+    command -v jq >/dev/null || echo jq
     find_chromium >/dev/null || echo chromium
     command -v certutil >/dev/null || echo libnss3-tools
     php -r 'exit(extension_loaded("soap") ? 0 : 1);' 2>/dev/null || printf '%s\n' php-cli php-soap
