@@ -20,7 +20,7 @@ class Named:
 
 @dataclass(frozen=True)
 class Folder:
-    """All pages of a folder: those that are named here first, then the others."""
+    """All pages of a folder that stand nowhere before: those that are named here first, then the others."""
 
     path: str
     first: tuple[str, ...] = ()
@@ -70,8 +70,60 @@ SECTIONS = (
             ),
         ),
     ),
-    Section("Jobs", (Folder("docs/jobs"),)),
-    Section("Recipes", (Folder("docs/recipes"),)),
+    Section(
+        "Jobs",
+        (
+            Section(
+                "Fly",
+                (
+                    "docs/jobs/first-flight.md",
+                    "docs/jobs/see-the-fleet.md",
+                    "docs/jobs/fly-a-drone.md",
+                    "docs/jobs/control.md",
+                    "docs/jobs/missions.md",
+                    "docs/jobs/cloud-loss.md",
+                    "docs/jobs/zones.md",
+                    "docs/jobs/follow-a-phone.md",
+                ),
+            ),
+            Section(
+                "Several drones",
+                (
+                    "docs/jobs/several-drones.md",
+                    "docs/jobs/mission-runs.md",
+                    "docs/jobs/virtual-drones.md",
+                ),
+            ),
+            Section(
+                "Connect",
+                (
+                    "docs/jobs/connect-a-drone.md",
+                    "docs/jobs/connect-a-robot.md",
+                    "docs/jobs/secure-links.md",
+                    "docs/jobs/ground-stations.md",
+                    "docs/jobs/parameters-and-logs.md",
+                ),
+            ),
+            Section(
+                "Who may do what",
+                (
+                    "docs/jobs/users-and-roles.md",
+                    "docs/jobs/grants.md",
+                    "docs/jobs/access-keys.md",
+                ),
+            ),
+            Section(
+                "What happened",
+                (
+                    "docs/jobs/flights.md",
+                    "docs/jobs/recordings.md",
+                    "docs/jobs/activity-log.md",
+                ),
+            ),
+            Folder("docs/jobs"),
+        ),
+    ),
+    Section("Recipes", (Folder("docs/recipes", ("fly", "several-drones", "return-all", "flights", "events")),)),
     Section(
         "Reference",
         (
@@ -87,7 +139,7 @@ SECTIONS = (
     Section(
         "Operations",
         (
-            Folder("docs/operations", ("install", "backup", "upgrade", "monitoring", "tls")),
+            Folder("docs/operations", ("install", "tls", "backup", "upgrade", "monitoring", "sizing")),
             "docs/archive.md",
             "signing-relay/README.md",
             "ros-bridge/README.md",
@@ -149,7 +201,7 @@ def _entries(
             case Generated():
                 yield from generated.get(entry.below, [])
             case Folder():
-                paths = _of_folder(entry, sources)
+                paths = [path for path in _of_folder(entry, sources) if path not in shown]
                 shown.update(paths)
                 yield from (sources.pages[path] for path in paths)
             case Named() if entry.path in sources.pages:
