@@ -25,9 +25,10 @@ class Build:
     def files(self, config: MkDocsConfig, files: Files) -> None:
         faults = [fault for linked in self.linked.values() for fault in linked.faults]
         written, entries = reference.pages(self.sources)
-        texts = written | decisions.pages(self.sources)
+        texts = {uri: ranked(text, 0.5 if "/types/" in uri else 2) for uri, text in written.items()}
+        texts |= decisions.pages(self.sources)
         for path, uri in self.sources.pages.items():
-            texts[uri] = self.linked[path].text
+            texts[uri] = ranked(self.linked[path].text, self.sources.rank(path))
         for uri, text in texts.items():
             found = files.get_file_from_path(uri)
             if found:
@@ -45,6 +46,11 @@ class Build:
         site = BuiltSite(folder)
         anchors = [link for linked in self.linked.values() for link in linked.anchors]
         fail_on(site.dead_anchors(anchors) or site.faults())
+
+
+def ranked(text: str, rank: float) -> str:
+    """With what the search needs to know of a page, in the form that MkDocs reads."""
+    return f"---\nsearch:\n  boost: {rank:g}\n---\n\n{text}"
 
 
 _build: Build | None = None

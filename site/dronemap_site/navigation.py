@@ -127,13 +127,13 @@ SECTIONS = (
     Section(
         "Reference",
         (
+            Generated("reference"),
             "docs/problems.md",
             "docs/settings.md",
             "docs/times.md",
             "docs/events.md",
             "docs/stream.md",
             "docs/glossary.md",
-            Generated("reference"),
         ),
     ),
     Section(

@@ -22,6 +22,16 @@ BESIDES = (
     "signing-relay/README.md",
     "web-client/README.md",
 )
+# Long and seldom meant: the search shows other pages first.
+SELDOM_MEANT = (
+    "CHANGELOG.md",
+    "docs/adr/",
+    "docs/benchmarks.md",
+    "docs/moved-tests.md",
+    "dronemap-proxy/",
+    "dronemap-sim/",
+    "bench/",
+)
 
 
 @dataclass
@@ -46,6 +56,10 @@ class Sources:
         }
         folders["docs/adr"] = "adr/index.md"
         return cls(root, pages, folders)
+
+    def rank(self, path: str) -> float:
+        """How much a page counts in the search."""
+        return 0.3 if path.startswith(SELDOM_MEANT) else 1
 
     def text(self, path: str) -> str:
         return (self.root / path).read_text(encoding="utf-8")

@@ -4,7 +4,7 @@ import re
 
 from ..navigation import Nav
 from .contract import SCHEMA, Contract, Json, Operation
-from .wording import Wording, about, plain, slug
+from .wording import Wording, about, address, plain, slug
 
 COMMANDS = "CommandRequest"
 
@@ -24,9 +24,8 @@ def _page(contract: Contract, tag: str, operations: list[Operation], uri: str) -
     lines = [f"# {tag}", "", plain(contract.about_tags.get(tag, "")), ""]
     lines += ["| operation | | method and address |", "| --- | --- | --- |"]
     for operation in operations:
-        lines.append(
-            f"| [{operation.id}](#{operation.id}) | {operation.title} | `{operation.method} {operation.path}` |"
-        )
+        called = address(f"{operation.method} {operation.path}")
+        lines.append(f"| [{operation.id}](#{operation.id}) | {operation.title} | {called} |")
     for operation in operations:
         lines += ["", *_operation(contract, wording, operation)]
         if any(body == COMMANDS for body in _body_types(operation)) and operation.id == "giveCommand":
@@ -76,7 +75,7 @@ def _names(contract: Contract, wording: Wording, operation: Operation) -> list[s
 
 
 def _in_cell(code: str) -> str:
-    return code.replace("models.", "").replace("|", "\\|")
+    return code.replace("models.", "")
 
 
 def _soap(contract: Contract, wording: Wording, operation: Operation) -> str:
@@ -96,13 +95,13 @@ def _parameters(wording: Wording, operation: Operation) -> list[str]:
         return []
     lines = ["| parameter | in | type | about |", "| --- | --- | --- | --- |"]
     for parameter in parameters:
-        must = " (required)" if parameter.get("required") else ""
+        may = "" if parameter.get("required") else " (optional)"
         schema: Json = parameter.get("schema", {})
         told = about(
             {"description": parameter.get("description", "")}
             | {key: schema[key] for key in ("default", "example", "pattern") if key in schema}
         )
-        lines.append(f"| `{parameter['name']}`{must} | {parameter['in']} | {wording.type_of(schema)} | {told} |")
+        lines.append(f"| `{parameter['name']}`{may} | {parameter['in']} | {wording.type_of(schema)} | {told} |")
     return [*lines, ""]
 
 

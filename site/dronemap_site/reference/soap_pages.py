@@ -55,7 +55,7 @@ def _members(wording: Wording, verb: str, members: tuple[Member, ...]) -> list[s
         return [f"It {verb} nothing.", ""]
     lines = [f"| {verb} | type | about |", "| --- | --- | --- |"]
     for member in members:
-        may = "" if member.optional else " (required)" if verb == "takes" else ""
+        may = " (optional)" if member.optional and verb == "takes" else ""
         lines.append(f"| `{member.name}`{may} | {_type(wording, member.type)} | {cell(member.about)} |")
     return [*lines, ""]
 

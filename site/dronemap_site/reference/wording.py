@@ -25,6 +25,15 @@ def cell(text: str) -> str:
     return plain(text).replace("|", "\\|").replace("\n", " ")
 
 
+def sentence(text: str) -> str:
+    return text if not text or text[-1] in ".!?" else f"{text}."
+
+
+def address(text: str) -> str:
+    """Code that breaks between its parts, where it is too long for its column."""
+    return f"<code>{text.replace('/', '/<wbr>')}</code>"
+
+
 def plain(text: str) -> str:
     return re.sub(r"([*_<>\[\]])", r"\\\1", text)
 
@@ -76,19 +85,19 @@ class Wording:
         required = set(schema.get("required", ()))
         lines = ["| member | type | about |", "| --- | --- | --- |"]
         for name, member in schema.get("properties", {}).items():
-            must = " (required)" if name in required else ""
-            lines.append(f"| `{name}`{must} | {self.type_of(member)} | {about(member)} |")
+            may = "" if name in required else " (optional)"
+            lines.append(f"| `{name}`{may} | {self.type_of(member)} | {about(member)} |")
         return lines if len(lines) > 2 else ["No members."]
 
 
 def about(schema: Json) -> str:
-    parts = [cell(str(schema.get("description", "")))]
+    parts = [cell(sentence(str(schema.get("description", ""))))]
     if "default" in schema:
         parts.append(f"Left out: `{_value(schema['default'])}`.")
     if "example" in schema:
         parts.append(f"Such as `{_value(schema['example'])}`.")
     if "pattern" in schema:
-        parts.append("Matches `" + schema["pattern"].replace("|", "\\|") + "`.")
+        parts.append(f"Matches `{schema['pattern']}`.")
     return " ".join(part for part in parts if part)
 
 
