@@ -80,6 +80,7 @@ SECTIONS = (
                     "docs/jobs/see-the-fleet.md",
                     "docs/jobs/fly-a-drone.md",
                     "docs/jobs/control.md",
+                    "docs/jobs/team.md",
                     "docs/jobs/missions.md",
                     "docs/jobs/cloud-loss.md",
                     "docs/jobs/zones.md",
@@ -99,6 +100,7 @@ SECTIONS = (
                 (
                     "docs/jobs/connect-a-drone.md",
                     "docs/jobs/connect-a-robot.md",
+                    "docs/jobs/simulated-drones.md",
                     "docs/jobs/secure-links.md",
                     "docs/jobs/ground-stations.md",
                     "docs/jobs/parameters-and-logs.md",
