@@ -40,6 +40,8 @@ for order in orders:
         exec(compile(open(file).read(), file, "exec"), names)
     except SystemExit as left:
         status = int(bool(left.code))
+        if isinstance(left.code, str):
+            print(left.code, file=sys.stderr)
     except BaseException:
         traceback.print_exc()
         status = 1

@@ -8,11 +8,12 @@ from pathlib import Path
 
 from .api import Api
 from .server import ROOT, Server
-from .simulator import QUICK_FLIGHT, Simulator
+from .simulator import LOW_AND_QUICK_RETURN, Simulator
 from .waiting import wait_for
 
 COUNT = 4
 HOME = "47.3977,8.5456"
+SPEEDUP = "10"
 SDK = ROOT / "sdk-typescript"
 # What a page may have left behind: lists of REST, their member with the entries, what an entry is deleted by.
 LEFTOVERS = (
@@ -27,7 +28,7 @@ LEFTOVERS = (
 
 
 class DemoFleet:
-    """Five times as fast as life, with everything else as the demo fleet has it."""
+    """Ten times as fast as life, with everything else as the demo fleet has it."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
@@ -38,12 +39,24 @@ class DemoFleet:
             folder / "sim.log",
             f"udp://127.0.0.1:{self.server.udp_port}",
             *("--count", str(COUNT), "--home", HOME),
-            *QUICK_FLIGHT,
+            *("--speedup", SPEEDUP),
+            *LOW_AND_QUICK_RETURN,
         )
         self._users = {user["name"] for user in self.api.get("/users")["users"]}
         self._programs = _programs(folder / "programs")
         self._packages = _packages(folder / "packages")
         wait_for("the copters are ready to arm", self._is_ready, 90)
+        self._fly_once()
+
+    def _fly_once(self) -> None:
+        """So that there is a flight to look at for pages about flights, telemetry and recordings."""
+        drone = self.api.drones()[0]["id"]
+        self.api.do(drone, type="setMode", mode="GUIDED")
+        self.api.do(drone, type="arm")
+        self.api.do(drone, type="takeOff", altitude=5)
+        self.api.do(drone, type="land")
+        wait_for("it is down", self._all_down, 60)
+        self.api.call("DELETE", f"/drones/{drone}/control")
 
     def _is_ready(self) -> bool:
         return all([self.api.ready(number) for number in range(1, COUNT + 1)])
@@ -146,6 +159,8 @@ def _programs(folder: Path) -> Path:
         "dronectl": f'exec "{sys.executable}" -m dronectl "$@"',
         "python3": f'exec "{sys.executable}" "$@"',
         "python": f'exec "{sys.executable}" "$@"',
+        # Reads to the end, so that whatever writes into it does not fail, which a reader would never see.
+        "head": '/usr/bin/head "$@"; status=$?; cat > /dev/null; exit $status',
     }
     for name, line in lines.items():
         (folder / name).write_text(f"#!/bin/sh\n{line}\n")

@@ -2,6 +2,7 @@
 # docs: the documentation site, built from docs/ and the descriptions of the interfaces, and served on this machine.
 
 readonly DOCS=$TOOLS/docs
+readonly DOCS_MARK=.dronemap-docs
 
 command_docs() {
     local folder=$DOCS/html port
@@ -29,9 +30,9 @@ command_docs() {
     serve_docs "$folder" "$port"
 }
 
-# The build empties its folder first.
+# The build empties its folder first, but for hidden files: one of them says that the rest may go.
 is_folder_for_docs() { # FOLDER
-    [[ ! -e $1 || -f $1/search/search_index.json || (-d $1 && -z $(ls -A -- "$1")) ]]
+    [[ ! -e $1 || -f $1/$DOCS_MARK || (-d $1 && -z $(ls -A -- "$1")) ]]
 }
 
 provide_docs_python() {
@@ -52,6 +53,7 @@ build_docs() { # FOLDER
     local log=$TOOLS/logs/docs.log
     WORK="building the documentation"
     step "Building the documentation"
+    mkdir -p -- "$1" && touch -- "$1/$DOCS_MARK" || fail "$EXIT_RIGHTS" "The user $(id -un) may not write to $1."
     run_logged "$log" no_progress env -C "$ROOT/site" NO_MKDOCS_2_WARNING=1 PYTHONDONTWRITEBYTECODE=1 \
         "$DOCS/venv/bin/python" -m mkdocs build --quiet --site-dir "$1" ||
         fail_from_log "$log" "$EXIT_BUILD" "The documentation does not build."

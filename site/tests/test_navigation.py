@@ -24,4 +24,4 @@ def test_page_in_no_section_is_a_fault(checkout: Checkout) -> None:
 
 def test_pages_without_document_stand_where_the_sections_say(checkout: Checkout) -> None:
     nav, _ = navigation(checkout({"docs/times.md": "# Times\n"}), {"reference": [{"REST": ["reference/a.md"]}]})
-    assert nav[1] == {"Reference": ["times.md", {"REST": ["reference/a.md"]}]}
+    assert nav[1] == {"Reference": [{"REST": ["reference/a.md"]}, "times.md"]}
