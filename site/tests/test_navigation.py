@@ -15,6 +15,13 @@ def test_new_page_of_a_folder_comes_after_those_with_a_place(checkout: Checkout)
     assert faults == []
 
 
+def test_page_with_a_place_of_its_own_does_not_come_again_with_its_folder(checkout: Checkout) -> None:
+    jobs = {f"docs/jobs/{name}.md": "# Job\n" for name in ("first-flight", "another")}
+    nav, faults = navigation(checkout(jobs), {})
+    assert nav[1] == {"Jobs": [{"Fly": ["jobs/first-flight.md"]}, "jobs/another.md"]}
+    assert faults == []
+
+
 def test_page_in_no_section_is_a_fault(checkout: Checkout) -> None:
     _, faults = navigation(checkout({"docs/lost.md": "# Lost\n"}), {})
     assert faults == [
