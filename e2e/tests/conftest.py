@@ -10,6 +10,7 @@ from playwright.sync_api import Browser, Playwright, sync_playwright
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.copter import Copter
+from dronemap_e2e.demo_fleet import DemoFleet
 from dronemap_e2e.ground_station import Attach, GroundStation, User
 from dronemap_e2e.message_recorder import MessageRecorder, VehicleMessages
 from dronemap_e2e.php_page import OpenPage, PhpPages, Pilot, new_pilot
@@ -24,6 +25,7 @@ SYSTEM_IDS = itertools.count(10)
 HARDWARE = itertools.count(5001)
 # The files that take longest begin first, or one process is still at them when the others have nothing left.
 LONGEST = (
+    "test_code_blocks_of_command_line",
     "test_flight_in_browser",
     "test_follow_in_browser",
     "test_accounts_in_browser",
@@ -139,6 +141,14 @@ def wire(vehicles: Vehicles, system_id: int) -> VehicleMessages:
 def copter(api: Api, system_id: int) -> Json:
     """The test's copter, five times as fast as life: the drone as the server lists it."""
     return wait_for("the copter is listed, with a home, and ready to arm", lambda: api.ready(system_id), 90)
+
+
+@pytest.fixture(scope="module")
+def demo_fleet(tmp_path_factory: pytest.TempPathFactory) -> Iterator[DemoFleet]:
+    """What `./dronemap up` starts, for code blocks of documents."""
+    started = DemoFleet(tmp_path_factory.mktemp("demo"))
+    yield started
+    started.close()
 
 
 @pytest.fixture(scope="session")

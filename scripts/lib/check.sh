@@ -18,12 +18,12 @@ check_ports() {
     done
 }
 
-check_port() { # tcp|udp PORT USE SETTING
+check_port() { # tcp|udp PORT USE SETTING [COMMAND]
     local holder
     holder=$(ss -Hlnp "--$1" "sport = :$2" 2>/dev/null | head -n 1)
     [[ -n $holder ]] || return 0
     fail "$EXIT_PORT" "Port $2 ($1), needed for $3, is taken by $(holder_name "$holder")." \
-        "Stop that process, or choose another port: $4=$(($2 < 65435 ? $2 + 100 : $2 - 100)) ./dronemap up"
+        "Stop that process, or choose another port: $4=$(($2 < 65435 ? $2 + 100 : $2 - 100)) ./dronemap ${5:-up}"
 }
 
 # ss shows processes of other users to root alone.

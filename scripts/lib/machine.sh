@@ -77,6 +77,7 @@ missing_packages() { # [for-tests]
     command -v git >/dev/null || echo git
     command -v shellcheck >/dev/null || echo shellcheck
     command -v openssl >/dev/null || echo openssl
+    command -v jq >/dev/null || echo jq
     find_chromium >/dev/null || echo chromium
     command -v certutil >/dev/null || echo libnss3-tools
     missing_php

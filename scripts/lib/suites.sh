@@ -311,7 +311,7 @@ suite_scripts() { # with_jars|without_jars ARGUMENT…
 }
 
 # A project that nobody named may need them. The scripts' own has files of either kind.
-needs_no_jars() { [[ $1 == ros-bridge || $1 == sdk-python || $1 == signing-relay || $1 == dronemap-sim/exchanges ]]; } # PROJECT
+needs_no_jars() { [[ $1 == ros-bridge || $1 == sdk-python || $1 == signing-relay || $1 == site || $1 == dronemap-sim/exchanges ]]; } # PROJECT
 needs_jars() { ! needs_no_jars "$1" && [[ $1 != scripts ]]; }
 
 file_needs_jars() { # PROJECT FILE

@@ -94,7 +94,8 @@ async def arrived(states: AsyncIterator[DroneView], reached: Callable[[DroneView
             raise Interrupted(f"{state.name} is not {aim}: control of it has changed ({_holder(state)}).")
         if state.mode != mode:
             raise Interrupted(f"{state.name} is not {aim}: its mode was changed from {mode} to {state.mode}.")
-        if was_up and state.flight == "onGround":
+        # Motors turn for a moment after a landing, and only then is a mission over.
+        if was_up and state.flight == "onGround" and not state.armed:
             raise Interrupted(f"{state.name} is not {aim}: it is on the ground.")
     raise Interrupted("The connection was closed meanwhile.")
 

@@ -66,7 +66,15 @@ def test_change_of_mode_ends_the_wait_once_the_command_has_settled() -> None:
 
 def test_drone_that_comes_down_does_not_arrive() -> None:
     with pytest.raises(Interrupted, match="on the ground"):
-        _aim(state(), state(flight="onGround"))
+        _aim(state(), state(flight="onGround", armed=False))
+
+
+def test_mission_is_flown_when_its_drone_lands_a_while_before_it_says_so() -> None:
+    flying = {"running": True, "reached": [], "state": "running"}
+    landed = state(1, flight="onGround", armed=True, mission=flying)
+    over = state(2, flight="onGround", armed=False, mission=flying)
+    states = _each([state(mission=flying), landed, over])
+    assert asyncio.run(arrived(states, mission_flown(), "at the end of its mission")) is over
 
 
 def test_end_of_a_mission_is_one_that_was_begun() -> None:
