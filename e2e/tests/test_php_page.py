@@ -137,6 +137,12 @@ def test_a_phone_flies_and_lands(
     page.press("Land")
     page.says("Land. Succeeded")
     wait_for("it landed and disarmed", lambda: api.drone(copter["id"])["armed"] is False, 120)
+    # In LAND it refuses to be armed: its mode is changed first.
+    page.hold("Arm in GUIDED")
+    page.says("Arm. Succeeded.")
+    assert api.drone(copter["id"])["mode"] == "GUIDED"
+    page.hold("Disarm")
+    page.says("Disarm. Succeeded.")
 
 
 def test_page_shows_refusal_of_the_vehicle(

@@ -28,6 +28,8 @@ import { holdToConfirm } from './hold.js';
  * }} Page
  */
 
+/** Nobody who pressed "Arm" still means it after so long. */
+const MEANT_MILLISECONDS = 15_000;
 /** @type {Record<string, string>} */
 const SYMBOLS = { busy: '…', succeeded: '✓', unknown: '?', superseded: '↷' };
 
@@ -35,6 +37,8 @@ export class DronePanel {
   #page;
   /** Said in the place of the outcome, until there is a newer one. */
   #hint = '';
+  /** The outcome that it stands in the place of. */
+  #hidden = '';
   /** @type {{ name: string, operation: string, action: string, why: () => string | null }[]} */
   #buttons = [];
 
@@ -97,6 +101,7 @@ export class DronePanel {
   /** @param {string} words */
   say(words) {
     this.#hint = words;
+    this.#hidden = outcomeText(this.#newest());
     this.render();
   }
 
@@ -110,13 +115,16 @@ export class DronePanel {
   async #arm() {
     const drone = this.#page.chosen();
     const mode = drone?.actions.arm?.mode ?? null;
+    const pressed = performance.now();
     if (mode !== null) {
       const changed = await this.send('setMode', `Change the mode to ${mode}`, { mode });
       if (changed?.result !== 'succeeded') {
         return;
       }
-      if (this.#page.chosen()?.id !== drone?.id) {
-        this.say('It was not armed: another drone was chosen meanwhile.');
+      if (this.#page.chosen()?.id !== drone?.id || performance.now() - pressed > MEANT_MILLISECONDS) {
+        this.say(
+          'It was not armed: the change of its mode took long, or another drone was chosen meanwhile.',
+        );
         return;
       }
     }
@@ -170,7 +178,7 @@ export class DronePanel {
       this.#renderControl(drone);
       this.#renderTarget(drone);
       this.#renderButtons(drone);
-      this.#renderOutcome(drone);
+      this.#renderOutcome();
     }
     this.#renderLog();
   }
@@ -248,14 +256,21 @@ export class DronePanel {
     setText(byId('arm-name'), mode === null ? 'Arm' : `Arm in ${mode}`);
   }
 
-  /** @param {Drone} drone */
-  #renderOutcome(drone) {
-    const entry = this.#page.commands.newest(drone.id);
+  #newest() {
+    const drone = this.#page.chosen();
+    return drone === null ? undefined : this.#page.commands.newest(drone.id);
+  }
+
+  #renderOutcome() {
+    const entry = this.#newest();
+    const outcome = outcomeText(entry);
+    if (outcome !== this.#hidden) {
+      this.#hint = '';
+    }
     const result = this.#hint !== '' ? 'hint' : (entry?.result ?? 'none');
-    const text = this.#hint !== '' ? this.#hint : entry === undefined ? '' : `${entry.label}. ${entry.words}`;
     setAttribute(byId('outcome'), 'data-result', result);
     setText(byId('outcome-symbol'), result === 'none' ? '' : (SYMBOLS[result] ?? '!'));
-    setText(byId('outcome-words'), text);
+    setText(byId('outcome-words'), this.#hint !== '' ? this.#hint : outcome);
   }
 
   #renderLog() {
@@ -281,6 +296,11 @@ export class DronePanel {
       },
     );
   }
+}
+
+/** @param {import('./commands.js').Entry | undefined} entry */
+function outcomeText(entry) {
+  return entry === undefined ? '' : `${entry.label}. ${entry.words}`;
 }
 
 /** Why the number in this field cannot be used; null: it can. @param {string} field */

@@ -182,7 +182,7 @@ api.onSignedOut = () => {
 };
 
 for (const name of /** @type {const} */ (['look', 'fly', 'waypoints'])) {
-  byId(`tool-${name}`).addEventListener('change', () => {
+  byId(`tool-${name}`).addEventListener('input', () => {
     tool = name;
     update();
   });
