@@ -23,6 +23,7 @@ SYSTEM_IDS = itertools.count(10)
 HARDWARE = itertools.count(5001)
 # The files that take longest begin first, or one process is still at them when the others have nothing left.
 LONGEST = (
+    "test_code_blocks_of_command_line",
     "test_flight_in_browser",
     "test_follow_in_browser",
     "test_accounts_in_browser",

@@ -25,7 +25,7 @@ class Build:
     def files(self, config: MkDocsConfig, files: Files) -> None:
         faults = [fault for linked in self.linked.values() for fault in linked.faults]
         written, entries = reference.pages(self.sources)
-        texts = {uri: ranked(text, 0.5 if "/types/" in uri else 2) for uri, text in written.items()}
+        texts = {uri: ranked(text, reference.rank(uri)) for uri, text in written.items()}
         texts |= decisions.pages(self.sources)
         for path, uri in self.sources.pages.items():
             texts[uri] = ranked(self.linked[path].text, self.sources.rank(path))

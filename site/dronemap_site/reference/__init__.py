@@ -6,6 +6,11 @@ from . import overview, rest_pages, soap_pages, stream_pages, type_pages
 from .contract import Contract
 
 
+def rank(uri: str) -> float:
+    """How much a page counts in the search: who looks for an operation means its page, not a list or a type."""
+    return 2 if uri.startswith(("reference/rest/", "reference/soap/")) else 0.5
+
+
 def pages(sources: Sources) -> tuple[dict[str, str], Nav]:
     """Texts by the address of their page, and how they are ordered."""
     contract = Contract.read(sources.root)

@@ -22,10 +22,12 @@ def pages(contract: Contract) -> tuple[dict[str, str], Nav]:
 def _page(contract: Contract, tag: str, operations: list[Operation], uri: str) -> str:
     wording = Wording(contract, uri)
     lines = [f"# {tag}", "", plain(contract.about_tags.get(tag, "")), ""]
-    lines += ["| operation | | method and address |", "| --- | --- | --- |"]
+    # Who searches for an operation means its own part of the page, and not this list.
+    lines += ["<div data-search-exclude markdown>", "", "| operation | | method and address |", "| --- | --- | --- |"]
     for operation in operations:
         called = address(f"{operation.method} {operation.path}")
         lines.append(f"| [{operation.id}](#{operation.id}) | {operation.title} | {called} |")
+    lines += ["", "</div>"]
     for operation in operations:
         lines += ["", *_operation(contract, wording, operation)]
         if any(body == COMMANDS for body in _body_types(operation)) and operation.id == "giveCommand":
