@@ -96,7 +96,9 @@ def blocks_of(page: str, text: str) -> Iterator[Block]:
         begin = number
         while number < len(lines) and lines[number].strip() != fence:
             number += 1
-        noted = NOTE.match(lines[begin - 2]) if begin >= 2 else None
+        # Some formatters put an empty line between the note and the fence.
+        before = [line for line in lines[max(0, begin - 3) : begin - 1] if line.strip()]
+        noted = NOTE.match(before[-1]) if before else None
         yield Block(
             page,
             begin + 1,

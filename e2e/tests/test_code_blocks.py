@@ -68,6 +68,7 @@ a();
 ```cobol
 ```
 <!-- not run: no -->
+
 ```python
 ```
 """
@@ -76,7 +77,7 @@ a();
 def test_forms_of_blocks_are_told_apart() -> None:
     """Of the judge alone: a page with each kind of block and fault."""
     blocks = list(blocks_of("page.md", PAGE))
-    assert [block.line for block in blocks] == [3, 7, 12, 16, 19, 22]
+    assert [block.line for block in blocks] == [3, 7, 12, 16, 19, 23]
     assert [bool(faults_of_form(block)) for block in blocks] == [True, False, False, False, True, True]
     (program,) = runs_of(blocks)
     assert program.kind == "ts"

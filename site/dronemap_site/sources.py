@@ -33,6 +33,9 @@ SELDOM_MEANT = (
     "bench/",
 )
 
+# Written for questions as people ask them: before the reference, which has every word.
+ANSWERS = ("docs/guides/", "docs/jobs/", "docs/operations/", "docs/recipes/")
+
 
 @dataclass
 class Sources:
@@ -59,7 +62,9 @@ class Sources:
 
     def rank(self, path: str) -> float:
         """How much a page counts in the search."""
-        return 0.3 if path.startswith(SELDOM_MEANT) else 1
+        if path.startswith(SELDOM_MEANT):
+            return 0.3
+        return 4 if path.startswith(ANSWERS) else 1
 
     def text(self, path: str) -> str:
         return (self.root / path).read_text(encoding="utf-8")
