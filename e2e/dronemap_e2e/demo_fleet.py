@@ -6,7 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from .api import Api
+from .api import Api, Json
 from .server import ROOT, Server
 from .simulator import LOW_AND_QUICK_RETURN, Simulator
 from .waiting import wait_for
@@ -14,6 +14,7 @@ from .waiting import wait_for
 COUNT = 4
 HOME = "47.3977,8.5456"
 SPEEDUP = "10"
+FIRST_MODE = "STABILIZE"
 SDK = ROOT / "sdk-typescript"
 # What a page may have left behind: lists of REST, their member with the entries, what an entry is deleted by.
 LEFTOVERS = (
@@ -56,7 +57,7 @@ class DemoFleet:
         self.api.do(drone, type="takeOff", altitude=5)
         self.api.do(drone, type="land")
         wait_for("it is down", self._all_down, 60)
-        self.api.call("DELETE", f"/drones/{drone}/control")
+        self._make_as_it_was(self.api.drone(drone))
 
     def _is_ready(self) -> bool:
         return all([self.api.ready(number) for number in range(1, COUNT + 1)])
@@ -130,7 +131,7 @@ class DemoFleet:
                     self.api.call("DELETE", f"/{path}/{entry[name]}")
         wait_for("all drones are on the ground", self._all_down, 120)
         for drone in self.api.drones():
-            self._make_as_it_was(drone["id"], drone["name"], drone["link"]["systemId"])
+            self._make_as_it_was(drone)
         wait_for("the copters are ready to arm", self._is_ready, 90)
 
     def _all_down(self) -> bool:
@@ -146,10 +147,13 @@ class DemoFleet:
         if self.api.call("POST", f"/drones/{drone}/commands", body).status_code == 409:
             self.api.call("POST", f"/drones/{drone}/control/take-over", {"reason": "The page is over."})
 
-    def _make_as_it_was(self, drone: str, name: str, number: int) -> None:
-        if name != f"ArduCopter {number}":
-            self.api.call("PATCH", f"/drones/{drone}", {"name": f"ArduCopter {number}"})
-        self.api.call("DELETE", f"/drones/{drone}/control")
+    def _make_as_it_was(self, drone: Json) -> None:
+        id, name = drone["id"], f"ArduCopter {drone['link']['systemId']}"
+        if drone["name"] != name:
+            self.api.call("PATCH", f"/drones/{id}", {"name": name})
+        if drone["mode"] != FIRST_MODE:
+            self.api.do(id, type="setMode", mode=FIRST_MODE)
+        self.api.call("DELETE", f"/drones/{id}/control")
 
 
 def _programs(folder: Path) -> Path:

@@ -29,7 +29,9 @@ RUN: dict[str, Any] = {
 @pytest.fixture
 def connected(monkeypatch: pytest.MonkeyPatch) -> MockTransport:
     mock = MockTransport()
-    id = mock.add_drone("ArduCopter 1", home={"latitude": 47.3977, "longitude": 8.5456, "altitudeAmsl": 488.0})
+    home = {"latitude": 47.3977, "longitude": 8.5456, "altitudeAmsl": 488.0}
+    id = mock.add_drone("ArduCopter 1", home=home)
+    mock.add_drone("ArduCopter 2", home=home)
     mock.answer("POST", "/plans", PLAN, 202)
     mock.answer("GET", "/plans/p", PLAN)
     mock.answer("POST", "/runs", RUN, 201)
