@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 from .api import Api, Json
+from .php_proxy import PhpProxy
 from .server import ROOT, Server
 from .simulator import LOW_AND_QUICK_RETURN, Simulator
 from .waiting import wait_for
@@ -48,6 +49,8 @@ class DemoFleet:
         self._packages = _packages(folder / "packages")
         wait_for("the copters are ready to arm", self._is_ready, 90)
         self._fly_once()
+        self._php = PhpProxy(self.server.address, folder)
+        self._php.start()
 
     def _fly_once(self) -> None:
         """So that there is a flight to look at for pages about flights, telemetry and recordings."""
@@ -63,6 +66,7 @@ class DemoFleet:
         return all([self.api.ready(number) for number in range(1, COUNT + 1)])
 
     def close(self) -> None:
+        self._php.stop()
         self._simulator.stop()
         self.server.stop()
 
@@ -72,6 +76,7 @@ class DemoFleet:
         ports = {
             "8080": server.http_port,
             "8081": server.stream_port,
+            "8083": self._php.port,
             "14550": server.udp_port,
             "5760": server.tcp_port,
             "14560": server.outlet_udp_port,
