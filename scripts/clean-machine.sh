@@ -2,12 +2,13 @@
 # Proof that a machine with nothing but Debian and git gets from a clone to a flying drone by the two commands:
 # makes a clean Debian root (debootstrap), clones the committed state into it, and runs `up` and `test` there.
 #
-#   scripts/clean-machine.sh [--root DIR] [--suite NAME] [--keep] [--reuse] [--no-test] [--ready-within SECONDS]
+#   scripts/clean-machine.sh [--root DIR] [--suite NAME] [--keep] [--reuse] [--no-test] [--ready-within SECONDS] [--php]
 #
 # --root DIR   where the root is made (a new folder under /var/tmp)     --suite NAME  Debian release (bookworm)
 # --keep       leaves the root for a look                               --reuse       takes the root that is there
 # --no-test    only `up`, a second `up` and `down`
 # --ready-within SECONDS   how fast the second `up` must be (30; more on a machine that has other work)
+# --php        and, before all else, the PHP page: by `up --php`, by Apache, by nginx (see php-web-servers.sh)
 # Needs root and debootstrap. The host's settings for package clients (proxies, mirrors, authorities) are carried in.
 set -euo pipefail
 
@@ -17,6 +18,7 @@ SUITE=bookworm
 KEEP=false
 REUSE=false
 WITH_TEST=true
+WITH_PHP=false
 READY_WITHIN=30
 # Variables by which package clients find proxies, mirrors and authorities, and the project's own settings.
 readonly CARRIED='^(https?_proxy|no_proxy|all_proxy|HTTPS?_PROXY|NO_PROXY|ALL_PROXY|SSL_CERT_(FILE|DIR)|CURL_CA_BUNDLE|REQUESTS_CA_BUNDLE|NODE_EXTRA_CA_CERTS|GIT_SSL_CAINFO|PIP_[A-Z_]+|[Nn][Pp][Mm]_[Cc][Oo][Nn][Ff][Ii][Gg]_[A-Za-z_]+|MAVEN_OPTS|MAVEN_ARGS|JAVA_TOOL_OPTIONS|DRONEMAP_[A-Z_]+)$'
@@ -34,6 +36,7 @@ read_options() {
             --keep) KEEP=true ;;
             --reuse) REUSE=true ;;
             --no-test) WITH_TEST=false ;;
+            --php) WITH_PHP=true ;;
             --ready-within) READY_WITHIN=${2:?--ready-within needs seconds} && shift ;;
             *) fail "There is no option '$1'." ;;
         esac
@@ -118,7 +121,7 @@ carried_variables() {
 run_inside() {
     local variables
     mapfile -t variables < <(carried_variables | grep -vE '^DRONEMAP_(TEST_DATA|DATA_DIR)=')
-    export SOURCE CLEAN_ROOT WITH_TEST READY_WITHIN
+    export SOURCE CLEAN_ROOT WITH_TEST WITH_PHP READY_WITHIN
     unshare --mount --pid --fork --kill-child --propagation private \
         bash -euo pipefail -c "$(declare -f mount_inside inside_commands); mount_inside; inside_commands \"\$@\"" inside "${variables[@]}"
 }
@@ -137,12 +140,21 @@ inside_commands() { # NAME=VALUE…
     local recordings=()
     if [[ -d ${DRONEMAP_TEST_DATA:-} ]]; then recordings=(DRONEMAP_TEST_DATA=/mnt/recordings); fi
     chroot "$CLEAN_ROOT" env -i HOME=/root TERM=dumb LANG=C.UTF-8 PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
-        "$@" "${recordings[@]}" WITH_TEST="$WITH_TEST" READY_WITHIN="$READY_WITHIN" bash -euo pipefail -c '
+        "$@" "${recordings[@]}" WITH_TEST="$WITH_TEST" WITH_PHP="$WITH_PHP" READY_WITHIN="$READY_WITHIN" bash -euo pipefail -c '
         cd /root
         rm -rf dronemap
         git clone -q file:///mnt/source dronemap
         cd dronemap
         echo "== Clean clone of $(git log -1 --format="%h %s")"
+        if [[ $WITH_PHP == true ]]; then
+            echo "== ./dronemap up --php"
+            ./dronemap up --php
+            curl -fsS "http://127.0.0.1:${DRONEMAP_PHP_PORT:-8083}/" | grep -qi "<html" && echo "== The PHP page is reachable"
+            curl -sS -H "Content-Type: application/json" -d "{\"user\": \"nobody\", \"password\": \"wrong\"}" \
+                "http://127.0.0.1:${DRONEMAP_PHP_PORT:-8083}/session.php" | grep -q credentials-wrong
+            scripts/php-web-servers.sh
+            ./dronemap down
+        fi
         echo "== ./dronemap up"
         time ./dronemap up
         ./dronemap status
