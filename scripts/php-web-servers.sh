@@ -39,6 +39,13 @@ check() { # NAME
     echo "== $1 serves the PHP page"
 }
 
+# Else the lines would find what was there before them.
+forget_web_servers() {
+    rm -rf /opt/php-soap-proxy
+    apt-get purge -y -q --auto-remove 'php*' 'libapache2*' 'apache2*' 'nginx*' >/dev/null
+}
+
+forget_web_servers
 bash -euo pipefail -c "$(block_with 'apache2 libapache2-mod-php')"
 apachectl restart
 timeout 20 bash -c 'until curl -s -o /dev/null http://127.0.0.1:8084/; do sleep 0.2; done'
@@ -46,9 +53,7 @@ check Apache
 apachectl stop
 timeout 20 bash -c 'while curl -s -o /dev/null http://127.0.0.1:8084/; do sleep 0.2; done'
 
-rm -rf /opt/php-soap-proxy
-# Else it would find what Apache's lines have installed.
-apt-get purge -y -q --auto-remove apache2 libapache2-mod-php php-soap php-xml >/dev/null
+forget_web_servers
 bash -euo pipefail -c "$(block_with 'nginx php-fpm')"
 rm -f /etc/nginx/sites-enabled/default
 mkdir -p /run/php
