@@ -60,7 +60,8 @@ make_root() {
     local mirror
     mirror=$(debian_sources | awk -v suite="$SUITE" '$2 == suite { print $1; exit }')
     mkdir -p "$CLEAN_ROOT"
-    chmod 700 "$CLEAN_ROOT"
+    # Web servers that run in it as another user must reach their files.
+    chmod 711 "$CLEAN_ROOT"
     echo "== Making a clean Debian $SUITE in $CLEAN_ROOT"
     # Without a mirror debootstrap takes its own default.
     debootstrap --variant=minbase --include=git,ca-certificates "$SUITE" "$CLEAN_ROOT" ${mirror:+"$mirror"} >"$CLEAN_ROOT.log" 2>&1 ||
