@@ -73,7 +73,8 @@ export class DronePanel {
         page.setTarget(place);
       }
     });
-    byId('control').addEventListener('click', () => this.#changeControl());
+    byId('take-control').addEventListener('click', () => this.#changeControl());
+    this.#onPress('give-back', () => this.#changeControl());
   }
 
   /**
@@ -82,8 +83,13 @@ export class DronePanel {
    * @param {() => void} press @param {() => string | null} [why] a reason of the page's own against it
    */
   button(name, operation, action, press, why = () => null) {
-    const button = byId(name);
     this.#buttons.push({ name, operation, action, why });
+    this.#onPress(name, press);
+  }
+
+  /** @param {string} name @param {() => void} press */
+  #onPress(name, press) {
+    const button = byId(name);
     const pressed = () => {
       this.#hint = '';
       press();
@@ -218,7 +224,8 @@ export class DronePanel {
     const problem = control.problems.get(drone.id);
     const words = controlText(drone, user(), kept);
     setText(byId('control-words'), problem === undefined ? words : `${words} ${problem}`);
-    setText(byId('control'), kept ? 'Give back' : 'Take control');
+    byId('take-control').hidden = kept;
+    byId('give-back').hidden = !kept;
     const { outlook } = drone;
     const returnsAt = outlook?.returnsAt ?? null;
     const left = returnsAt === null ? '' : ` In ${spanText(Date.parse(returnsAt) - this.#page.now())}.`;
