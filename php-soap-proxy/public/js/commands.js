@@ -71,10 +71,10 @@ export class Commands {
   /**
    * Answers the entry with its outcome, or with "not known" if that could not be had.
    * @param {{ id: string, name: string }} drone @param {string} operation @param {string} label
-   * @param {object} [parameters]
+   * @param {object} [parameters] @param {() => Promise<void>} [prepare] fails when the command must not be sent
    * @returns {Promise<Entry>}
    */
-  async send(drone, operation, label, parameters = {}) {
+  async send(drone, operation, label, parameters = {}, prepare = async () => {}) {
     /** @type {Entry} */
     const entry = {
       ...{ id: newId(), droneId: drone.id, droneName: drone.name, operation, label, at: Date.now() },
@@ -83,6 +83,13 @@ export class Commands {
     this.entries.unshift(entry);
     this.entries = this.entries.filter(({ open }, index) => open || index < MOST_ENTRIES);
     this.#changed();
+    try {
+      await prepare();
+    } catch (error) {
+      const result = isBroken(error) ? 'notSent' : 'refused';
+      this.#close(entry, result, `Not sent, since control could not be taken: ${sentenceOf(error)}`);
+      return entry;
+    }
     const body = { droneId: drone.id, ...parameters, id: entry.id, wait: ANSWER_SECONDS };
     try {
       this.#apply(entry, await this.#api.call(operation, body));

@@ -1,6 +1,6 @@
 // @ts-check
 /** The chosen drone: how it is, who commands it, and the buttons that command it. */
-import { controlText } from './control.js';
+import { controlText, lostText } from './control.js';
 import { byId, html, renderList, setAttribute, setText } from './dom.js';
 import {
   armedText,
@@ -30,13 +30,15 @@ import { holdToConfirm } from './hold.js';
 
 /** Nobody who pressed "Arm" still means it after so long. */
 const MEANT_MILLISECONDS = 15_000;
+/** They need control that lasts; whatever ends a flight never waits for it. */
+const FLYING = new Set(['setMode', 'arm', 'takeoff', 'goto', 'startMission']);
 /** @type {Record<string, string>} */
 const SYMBOLS = { busy: '…', succeeded: '✓', unknown: '?', superseded: '↷' };
 
 export class DronePanel {
   #page;
   /** Said in the place of the outcome, until there is a newer one. */
-  #hint = '';
+  hint = '';
   /** The outcome that it stands in the place of. */
   #hidden = '';
   /** @type {{ name: string, operation: string, action: string, why: () => string | null }[]} */
@@ -73,8 +75,9 @@ export class DronePanel {
         page.setTarget(place);
       }
     });
-    byId('take-control').addEventListener('click', () => this.#changeControl());
-    this.#onPress('give-back', () => this.#changeControl());
+    byId('take-control').addEventListener('click', () => this.#take(page.chosen()));
+    byId('alarm-take').addEventListener('click', () => this.#take(this.#lost()));
+    this.#onPress('give-back', () => this.#giveBack());
   }
 
   /**
@@ -91,7 +94,7 @@ export class DronePanel {
   #onPress(name, press) {
     const button = byId(name);
     const pressed = () => {
-      this.#hint = '';
+      this.hint = '';
       press();
     };
     if (button.classList.contains('hold')) {
@@ -106,7 +109,7 @@ export class DronePanel {
 
   /** @param {string} words */
   say(words) {
-    this.#hint = words;
+    this.hint = words;
     this.#hidden = outcomeText(this.#newest());
     this.render();
   }
@@ -114,7 +117,12 @@ export class DronePanel {
   /** @param {string} operation @param {string} label @param {object} [parameters] */
   async send(operation, label, parameters) {
     const drone = this.#page.chosen();
-    return drone === null ? null : await this.#page.commands.send(drone, operation, label, parameters);
+    if (drone === null) {
+      return null;
+    }
+    const { commands, control } = this.#page;
+    const prepare = FLYING.has(operation) ? () => control.ensure(drone.id) : undefined;
+    return await commands.send(drone, operation, label, parameters, prepare);
   }
 
   /** Some modes do not allow arming: the server names one that does. */
@@ -165,11 +173,17 @@ export class DronePanel {
       : whyNoNumber('fly-height');
   }
 
-  #changeControl() {
+  /** @param {Drone | null | undefined} drone */
+  #take(drone) {
+    if (drone) {
+      void this.#page.control.take(drone.id);
+    }
+  }
+
+  #giveBack() {
     const drone = this.#page.chosen();
     if (drone !== null) {
-      const { control } = this.#page;
-      void (control.isKept(drone.id) ? control.giveBack(drone.id) : control.take(drone.id));
+      void this.#page.control.giveBack(drone.id);
     }
   }
 
@@ -185,6 +199,7 @@ export class DronePanel {
       this.#renderTarget(drone);
       this.#renderButtons(drone);
       this.#renderOutcome();
+      this.#renderAlarm();
     }
     this.#renderLog();
   }
@@ -227,11 +242,33 @@ export class DronePanel {
     byId('take-control').hidden = kept;
     byId('give-back').hidden = !kept;
     const { outlook } = drone;
-    const returnsAt = outlook?.returnsAt ?? null;
-    const left = returnsAt === null ? '' : ` In ${spanText(Date.parse(returnsAt) - this.#page.now())}.`;
     const isDue =
       outlook !== null && outlook !== undefined && outlook.state !== 'kept' && outlook.state !== 'leftAlone';
-    setText(byId('outlook'), isDue ? `${outlook.then}${left}` : '');
+    setText(
+      byId('outlook'),
+      isDue && !control.lost.includes(drone) ? `${outlook.then}${this.#left(drone)}` : '',
+    );
+  }
+
+  /** How long until it is brought home. @param {Drone} drone */
+  #left({ outlook }) {
+    const returnsAt = outlook?.returnsAt ?? null;
+    return returnsAt === null ? '' : ` In ${spanText(Date.parse(returnsAt) - this.#page.now())}.`;
+  }
+
+  /** The drone that most needs somebody to take control. */
+  #lost() {
+    const { lost } = this.#page.control;
+    return lost.find((drone) => drone === this.#page.chosen()) ?? lost[0];
+  }
+
+  #renderAlarm() {
+    const drone = this.#lost();
+    setText(byId('alarm-words'), drone === undefined ? '' : lostText(drone));
+    setText(byId('alarm-left'), drone === undefined ? '' : this.#left(drone));
+    byId('alarm-take').hidden = drone === undefined || drone.control.state === 'held';
+    const problem = drone === undefined ? undefined : this.#page.control.problems.get(drone.id);
+    setText(byId('alarm-problem'), problem ?? '');
   }
 
   /** @param {Drone} drone */
@@ -272,12 +309,12 @@ export class DronePanel {
     const entry = this.#newest();
     const outcome = outcomeText(entry);
     if (outcome !== this.#hidden) {
-      this.#hint = '';
+      this.hint = '';
     }
-    const result = this.#hint !== '' ? 'hint' : (entry?.result ?? 'none');
+    const result = this.hint !== '' ? 'hint' : (entry?.result ?? 'none');
     setAttribute(byId('outcome'), 'data-result', result);
     setText(byId('outcome-symbol'), result === 'none' ? '' : (SYMBOLS[result] ?? '!'));
-    setText(byId('outcome-words'), this.#hint !== '' ? this.#hint : outcome);
+    setText(byId('outcome-words'), this.hint !== '' ? this.hint : outcome);
   }
 
   #renderLog() {

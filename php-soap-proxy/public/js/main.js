@@ -6,7 +6,7 @@ import { Control } from './control.js';
 import { byId, setAttribute, setText } from './dom.js';
 import { renderDrones } from './drone-list.js';
 import { DronePanel } from './drone-panel.js';
-import { placeOf, spanText } from './drone.js';
+import { isAirborne, placeOf, spanText } from './drone.js';
 import { Fleet } from './fleet.js';
 import { distanceMeters, placeText } from './geo.js';
 import { FlightMap } from './map.js';
@@ -122,6 +122,7 @@ function update() {
   for (const drone of drones) {
     remember(drone);
   }
+  control.watch(drones, user ?? commands.user);
   renderDrones(drones, chosenId, now(), chooseAndShow);
   panel.render();
   missionPanel.render();
@@ -192,6 +193,12 @@ document.addEventListener('input', update);
 setInterval(() => document.hidden || update(), 1000);
 
 byId('sign-out').addEventListener('click', async () => {
+  const flying = fleet.drones.find((drone) => control.isKept(drone.id) && isAirborne(drone));
+  const warning = `${flying?.name} is in the air: it is brought home once you sign out. Press “Sign out” again to do so.`;
+  if (flying !== undefined && panel.hint !== warning) {
+    panel.say(warning);
+    return;
+  }
   try {
     await control.giveAllBack();
     await api.signOut();
