@@ -98,6 +98,11 @@ class PhpPage:
         return self.page.get_by_role("contentinfo").locator("#alarm-take")
 
     @property
+    def target_mark(self) -> Locator:
+        """Where the drone flies to, on the map."""
+        return self.map.locator(".target")
+
+    @property
     def map(self) -> Locator:
         return self.page.get_by_role("application")
 

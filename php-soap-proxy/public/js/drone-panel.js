@@ -1,7 +1,7 @@
 // @ts-check
 /** The chosen drone: how it is, who commands it, and the buttons that command it. */
-import { controlText, lostText } from './control.js';
-import { byId, html, renderList, setAttribute, setText } from './dom.js';
+import { controlText } from './control.js';
+import { byId, setAttribute, setText } from './dom.js';
 import {
   armedText,
   batteryText,
@@ -9,12 +9,12 @@ import {
   linkText,
   metersText,
   placeOf,
-  spanText,
   statusOf,
   UNKNOWN,
   updateText,
   whyNot,
 } from './drone.js';
+import { Foot, leftText } from './foot.js';
 import { distanceMeters, parsePlace, placeText } from './geo.js';
 import { holdToConfirm } from './hold.js';
 
@@ -32,21 +32,16 @@ import { holdToConfirm } from './hold.js';
 const MEANT_MILLISECONDS = 15_000;
 /** They need control that lasts; whatever ends a flight never waits for it. */
 const FLYING = new Set(['setMode', 'arm', 'takeoff', 'goto', 'startMission']);
-/** @type {Record<string, string>} */
-const SYMBOLS = { busy: '…', succeeded: '✓', unknown: '?', superseded: '↷' };
-
 export class DronePanel {
   #page;
-  /** Said in the place of the outcome, until there is a newer one. */
-  hint = '';
-  /** The outcome that it stands in the place of. */
-  #hidden = '';
+  #foot;
   /** @type {{ name: string, operation: string, action: string, why: () => string | null }[]} */
   #buttons = [];
 
   /** @param {Page} page */
   constructor(page) {
     this.#page = page;
+    this.#foot = new Foot(page);
     this.button('arm', 'arm', 'arm', () => this.#arm());
     this.button('disarm', 'disarm', 'disarm', () => this.send('disarm', 'Disarm'));
     this.button(
@@ -75,8 +70,7 @@ export class DronePanel {
         page.setTarget(place);
       }
     });
-    byId('take-control').addEventListener('click', () => this.#take(page.chosen()));
-    byId('alarm-take').addEventListener('click', () => this.#take(this.#lost()));
+    byId('take-control').addEventListener('click', () => this.#take());
     this.#onPress('give-back', () => this.#giveBack());
   }
 
@@ -94,7 +88,7 @@ export class DronePanel {
   #onPress(name, press) {
     const button = byId(name);
     const pressed = () => {
-      this.hint = '';
+      this.#foot.hint = '';
       press();
     };
     if (button.classList.contains('hold')) {
@@ -107,11 +101,13 @@ export class DronePanel {
     }
   }
 
-  /** @param {string} words */
-  say(words) {
-    this.hint = words;
-    this.#hidden = outcomeText(this.#newest());
-    this.render();
+  /** @param {string} words @param {'hint' | 'note'} [tone] a note is nothing to mend */
+  say(words, tone = 'hint') {
+    this.#foot.say(words, tone);
+  }
+
+  get hint() {
+    return this.#foot.hint;
   }
 
   /** @param {string} operation @param {string} label @param {object} [parameters] */
@@ -173,9 +169,9 @@ export class DronePanel {
       : whyNoNumber('fly-height');
   }
 
-  /** @param {Drone | null | undefined} drone */
-  #take(drone) {
-    if (drone) {
+  #take() {
+    const drone = this.#page.chosen();
+    if (drone !== null) {
       void this.#page.control.take(drone.id);
     }
   }
@@ -198,10 +194,8 @@ export class DronePanel {
       this.#renderControl(drone);
       this.#renderTarget(drone);
       this.#renderButtons(drone);
-      this.#renderOutcome();
-      this.#renderAlarm();
     }
-    this.#renderLog();
+    this.#foot.render();
   }
 
   /** @param {Drone} drone */
@@ -246,29 +240,8 @@ export class DronePanel {
       outlook !== null && outlook !== undefined && outlook.state !== 'kept' && outlook.state !== 'leftAlone';
     setText(
       byId('outlook'),
-      isDue && !control.lost.includes(drone) ? `${outlook.then}${this.#left(drone)}` : '',
+      isDue && !control.lost.includes(drone) ? `${outlook.then}${leftText(drone, this.#page.now())}` : '',
     );
-  }
-
-  /** How long until it is brought home. @param {Drone} drone */
-  #left({ outlook }) {
-    const returnsAt = outlook?.returnsAt ?? null;
-    return returnsAt === null ? '' : ` In ${spanText(Date.parse(returnsAt) - this.#page.now())}.`;
-  }
-
-  /** The drone that most needs somebody to take control. */
-  #lost() {
-    const { lost } = this.#page.control;
-    return lost.find((drone) => drone === this.#page.chosen()) ?? lost[0];
-  }
-
-  #renderAlarm() {
-    const drone = this.#lost();
-    setText(byId('alarm-words'), drone === undefined ? '' : lostText(drone));
-    setText(byId('alarm-left'), drone === undefined ? '' : this.#left(drone));
-    byId('alarm-take').hidden = drone === undefined || drone.control.state === 'held';
-    const problem = drone === undefined ? undefined : this.#page.control.problems.get(drone.id);
-    setText(byId('alarm-problem'), problem ?? '');
   }
 
   /** @param {Drone} drone */
@@ -299,52 +272,6 @@ export class DronePanel {
     const mode = drone.actions.arm?.allowed ? (drone.actions.arm.mode ?? null) : null;
     setText(byId('arm-name'), mode === null ? 'Arm' : `Arm in ${mode}`);
   }
-
-  #newest() {
-    const drone = this.#page.chosen();
-    return drone === null ? undefined : this.#page.commands.newest(drone.id);
-  }
-
-  #renderOutcome() {
-    const entry = this.#newest();
-    const outcome = outcomeText(entry);
-    if (outcome !== this.#hidden) {
-      this.hint = '';
-    }
-    const result = this.hint !== '' ? 'hint' : (entry?.result ?? 'none');
-    setAttribute(byId('outcome'), 'data-result', result);
-    setText(byId('outcome-symbol'), result === 'none' ? '' : (SYMBOLS[result] ?? '!'));
-    setText(byId('outcome-words'), this.hint !== '' ? this.hint : outcome);
-  }
-
-  #renderLog() {
-    const { entries } = this.#page.commands;
-    byId('log-section').hidden = entries.length === 0;
-    renderList(
-      byId('log'),
-      entries,
-      (entry) => entry.id,
-      () =>
-        html(
-          'li',
-          {},
-          html('span', { class: 'symbol', 'aria-hidden': 'true' }),
-          html('p', {}, html('b'), html('span')),
-        ),
-      (child, entry) => {
-        setAttribute(child, 'data-result', entry.result);
-        setText(child.querySelector('.symbol'), SYMBOLS[entry.result] ?? '!');
-        const time = new Date(entry.at).toLocaleTimeString('en-GB');
-        setText(child.querySelector('b'), `${time} · ${entry.droneName} · ${entry.label}`);
-        setText(child.querySelector('p span'), ` ${entry.words}`);
-      },
-    );
-  }
-}
-
-/** @param {import('./commands.js').Entry | undefined} entry */
-function outcomeText(entry) {
-  return entry === undefined ? '' : `${entry.label}. ${entry.words}`;
 }
 
 /** Why the number in this field cannot be used; null: it can. @param {string} field */

@@ -57,12 +57,19 @@ const panel = new DronePanel({
 });
 const missionPanel = new MissionPanel({ chosen, draft, setDraft }, panel);
 const map = new FlightMap({
-  scene: () => ({ drones: fleet.drones, chosen: chosen(), draft: draft(), target, tool, tracks }),
+  scene: () => ({ drones: fleet.drones, chosen: chosen(), draft: draft(), target: goal(), tool, tracks }),
   ...{ choose, setTarget },
   addWaypoint: (place) => missionPanel.add(place),
   moveWaypoint: (key, place) => setDraft(withChange(draft(), key, place)),
 });
 const signIn = new SignIn(api, begin);
+
+/** The place that is to be confirmed, or is being flown to. @returns {Place | null} */
+function goal() {
+  const flight = chosenId === null ? undefined : commands.newestFlight(chosenId);
+  const isUnderWay = flight?.operation === 'goto' && (flight.progress?.state ?? 'goesOn') === 'goesOn';
+  return target ?? (isUnderWay ? flight.goal : null);
+}
 
 /** @param {import('./mission.js').Draft} changed */
 function setDraft(changed) {
@@ -122,6 +129,7 @@ function update() {
   for (const drone of drones) {
     remember(drone);
   }
+  commands.watch(drones);
   control.watch(drones, user ?? commands.user);
   renderDrones(drones, chosenId, now(), chooseAndShow);
   panel.render();
