@@ -93,6 +93,16 @@ class PhpPage:
         return self.page.locator("#outcome")
 
     @property
+    def alarm_button(self) -> Locator:
+        """Takes control that has ended in the air."""
+        return self.page.get_by_role("contentinfo").locator("#alarm-take")
+
+    @property
+    def target_mark(self) -> Locator:
+        """Where the drone flies to, on the map."""
+        return self.map.locator(".target")
+
+    @property
     def map(self) -> Locator:
         return self.page.get_by_role("application")
 

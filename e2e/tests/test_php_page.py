@@ -54,7 +54,7 @@ def take_off(page: PhpPage, api: Api, drone: Json, metres: int) -> None:
     assert api.drone(drone["id"])["armed"]
     page.page.get_by_label("Take-off height (m)").fill(str(metres))
     page.hold("Take off")
-    page.says(f"Take off to {metres} m. Succeeded")
+    page.says(re.compile(rf"Take off to {metres} m: in the air at \d+ m of {metres} m"))
     wait_for("it has climbed", lambda: height(api, drone) > metres - 1, 60)
 
 
@@ -76,8 +76,11 @@ def test_a_person_flies_a_mission_of_clicks(
     assert target.latitude > copter["home"]["latitude"]
     assert away(api, copter, target) > 10
     page.hold("Fly there")
-    page.says(re.compile("Fly to .* Succeeded"))
-    wait_for("it is where it was clicked", lambda: away(api, copter, target) < 2, 60)
+    page.says(re.compile(r"Fly to .*: on its way, \d+ m to go"))
+    expect(page.target_mark).to_be_visible()
+    page.says(re.compile("Fly to .*: arrived"))
+    expect(page.target_mark).to_be_hidden()
+    assert away(api, copter, target) < 3
 
     page.click_waypoints(copter["id"])
     drawn = page.waypoints()
@@ -95,13 +98,15 @@ def test_a_person_flies_a_mission_of_clicks(
     assert are_same(page.waypoints(), drawn)
 
     page.hold("Start mission")
-    page.says("Start mission. Succeeded")
-    wait_for("it has flown the mission", lambda: len(api.drone(copter["id"])["mission"]["reached"]) >= 4, 120)
+    page.says("Start mission: running, 1 of 3 waypoints reached", 60)
+    page.says("Start mission: complete", 60)
+    assert len(api.drone(copter["id"])["mission"]["reached"]) >= 4
     page.picture("flown")
     page.press("Return")
-    page.says("Return to launch. Succeeded")
+    page.says(re.compile("Return to launch: on its way home, .* to go"))
     wait_for("it landed and disarmed", lambda: api.drone(copter["id"])["armed"] is False, 120)
     expect(page.page.get_by_text("On the ground", exact=True).last).to_be_visible()
+    page.says("Return to launch: landed and disarmed")
     judge(wire, drawn, 8)
 
 
@@ -135,7 +140,7 @@ def test_a_phone_flies_and_lands(
     page.press("Hold")
     page.says("Hold. Succeeded.")
     page.press("Land")
-    page.says("Land. Succeeded")
+    page.says("Land: landing")
     wait_for("it landed and disarmed", lambda: api.drone(copter["id"])["armed"] is False, 120)
     # In LAND it refuses to be armed: its mode is changed first.
     page.hold("Arm in GUIDED")

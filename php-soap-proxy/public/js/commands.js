@@ -2,15 +2,19 @@
 /** Commands from the press of a button to an outcome in words; none is forgotten before it has one. */
 import { isBroken, isSignedOut, isUnsent, Problem, sentenceOf } from './api.js';
 import { outcomeOf, uncertainWords } from './outcome.js';
+import { isFlight, progressOf } from './progress.js';
 
 /**
  * @typedef {import('./outcome.js').Result} Result
  * @typedef {{ id: string, droneId: string, droneName: string, operation: string, label: string, at: number,
- *   result: Result, words: string, sent: boolean, open: boolean, session: string }} Entry
- * `sent`: whether the server has confirmed that it knows the command; `open`: whether it is still asked about.
+ *   result: Result, words: string, sent: boolean, open: boolean, session: string,
+ *   goal: (import('./geo.js').Place & { altitude: number }) | null, finished: number | null, mode: string | null,
+ *   progress: import('./progress.js').Progress | null }} Entry
+ * `sent`: whether the server has confirmed that it knows the command; `open`: whether it is still asked about;
+ * `goal`: where it is to fly, or how high; `finished`: when its outcome came; `mode`: of the drone then.
  */
 
-const OPEN = 'dronemap-open-commands';
+const ENTRIES = 'dronemap-commands';
 const ANSWER_SECONDS = 5;
 const ASK_MILLISECONDS = 1000;
 /** A request without an answer may still be on its way for this many answers that nobody knows it. */
@@ -41,10 +45,12 @@ export class Commands {
     this.#api = api;
     this.#onChange = onChange;
     /** @type {Entry[]} */
-    const open = JSON.parse(sessionStorage.getItem(OPEN) ?? '[]');
-    for (const entry of open) {
-      this.entries.push({ ...entry, result: 'unknown', words: uncertainWords('The page was loaded anew.') });
-    }
+    const kept = JSON.parse(sessionStorage.getItem(ENTRIES) ?? '[]');
+    const doubt = {
+      result: /** @type {const} */ ('unknown'),
+      words: uncertainWords('The page was loaded anew.'),
+    };
+    this.entries = kept.map((entry) => (entry.open ? { ...entry, ...doubt } : entry));
   }
 
   /** Goes on with what an earlier load of this page has left open. */
@@ -61,6 +67,25 @@ export class Commands {
     return this.entries.find((entry) => entry.droneId === droneId);
   }
 
+  /** What the drone is at. @param {string} droneId @returns {Entry | undefined} */
+  newestFlight(droneId) {
+    return this.entries.find((entry) => entry.droneId === droneId && isFlight(entry));
+  }
+
+  /** Looks how far each drone is. @param {readonly import('./drone.js').Drone[]} drones */
+  watch(drones) {
+    for (const drone of drones) {
+      const entry = this.newestFlight(drone.id);
+      // A place that was reached stays reached.
+      if (entry?.result === 'succeeded' && (entry.progress?.state !== 'done' || drone.armed === false)) {
+        entry.progress = progressOf(entry, drone);
+        if (entry.progress !== null && entry.progress.state !== 'goesOn') {
+          entry.words = `Succeeded: ${entry.progress.words}.`;
+        }
+      }
+    }
+  }
+
   /** @param {string} droneId @param {string} operation */
   isBusy(droneId, operation) {
     return this.entries.some(
@@ -71,18 +96,31 @@ export class Commands {
   /**
    * Answers the entry with its outcome, or with "not known" if that could not be had.
    * @param {{ id: string, name: string }} drone @param {string} operation @param {string} label
-   * @param {object} [parameters]
+   * @param {object} [parameters] @param {() => Promise<void>} [prepare] fails when the command must not be sent
    * @returns {Promise<Entry>}
    */
-  async send(drone, operation, label, parameters = {}) {
+  async send(drone, operation, label, parameters = {}, prepare = async () => {}) {
     /** @type {Entry} */
     const entry = {
       ...{ id: newId(), droneId: drone.id, droneName: drone.name, operation, label, at: Date.now() },
       ...{ result: 'busy', words: 'Sending…', sent: false, open: true, session: this.session },
+      ...{
+        goal: 'altitude' in parameters ? /** @type {any} */ (parameters) : null,
+        finished: null,
+        mode: null,
+        progress: null,
+      },
     };
     this.entries.unshift(entry);
     this.entries = this.entries.filter(({ open }, index) => open || index < MOST_ENTRIES);
     this.#changed();
+    try {
+      await prepare();
+    } catch (error) {
+      const result = isBroken(error) ? 'notSent' : 'refused';
+      this.#close(entry, result, `Not sent, since control could not be taken: ${sentenceOf(error)}`);
+      return entry;
+    }
     const body = { droneId: drone.id, ...parameters, id: entry.id, wait: ANSWER_SECONDS };
     try {
       this.#apply(entry, await this.#api.call(operation, body));
@@ -119,6 +157,7 @@ export class Commands {
     if (outcome) {
       [entry.result, entry.words] = outcomeOf(entry.operation, outcome);
       entry.open = false;
+      entry.finished = Date.now();
     } else {
       const part = progress ? ` ${progress.done} of ${progress.total}` : '';
       entry.result = 'busy';
@@ -178,7 +217,7 @@ export class Commands {
   }
 
   #changed() {
-    sessionStorage.setItem(OPEN, JSON.stringify(this.entries.filter((entry) => entry.open)));
+    sessionStorage.setItem(ENTRIES, JSON.stringify(this.entries));
     this.#onChange();
   }
 }

@@ -1,7 +1,7 @@
 // @ts-check
 /** The chosen drone: how it is, who commands it, and the buttons that command it. */
 import { controlText } from './control.js';
-import { byId, html, renderList, setAttribute, setText } from './dom.js';
+import { byId, setAttribute, setText } from './dom.js';
 import {
   armedText,
   batteryText,
@@ -9,12 +9,12 @@ import {
   linkText,
   metersText,
   placeOf,
-  spanText,
   statusOf,
   UNKNOWN,
   updateText,
   whyNot,
 } from './drone.js';
+import { Foot, leftText } from './foot.js';
 import { distanceMeters, parsePlace, placeText } from './geo.js';
 import { holdToConfirm } from './hold.js';
 
@@ -30,21 +30,18 @@ import { holdToConfirm } from './hold.js';
 
 /** Nobody who pressed "Arm" still means it after so long. */
 const MEANT_MILLISECONDS = 15_000;
-/** @type {Record<string, string>} */
-const SYMBOLS = { busy: '…', succeeded: '✓', unknown: '?', superseded: '↷' };
-
+/** They need control that lasts; whatever ends a flight never waits for it. */
+const FLYING = new Set(['setMode', 'arm', 'takeoff', 'goto', 'startMission']);
 export class DronePanel {
   #page;
-  /** Said in the place of the outcome, until there is a newer one. */
-  #hint = '';
-  /** The outcome that it stands in the place of. */
-  #hidden = '';
+  #foot;
   /** @type {{ name: string, operation: string, action: string, why: () => string | null }[]} */
   #buttons = [];
 
   /** @param {Page} page */
   constructor(page) {
     this.#page = page;
+    this.#foot = new Foot(page);
     this.button('arm', 'arm', 'arm', () => this.#arm());
     this.button('disarm', 'disarm', 'disarm', () => this.send('disarm', 'Disarm'));
     this.button(
@@ -73,7 +70,8 @@ export class DronePanel {
         page.setTarget(place);
       }
     });
-    byId('control').addEventListener('click', () => this.#changeControl());
+    byId('take-control').addEventListener('click', () => this.#take());
+    this.#onPress('give-back', () => this.#giveBack());
   }
 
   /**
@@ -82,10 +80,15 @@ export class DronePanel {
    * @param {() => void} press @param {() => string | null} [why] a reason of the page's own against it
    */
   button(name, operation, action, press, why = () => null) {
-    const button = byId(name);
     this.#buttons.push({ name, operation, action, why });
+    this.#onPress(name, press);
+  }
+
+  /** @param {string} name @param {() => void} press */
+  #onPress(name, press) {
+    const button = byId(name);
     const pressed = () => {
-      this.#hint = '';
+      this.#foot.hint = '';
       press();
     };
     if (button.classList.contains('hold')) {
@@ -98,17 +101,24 @@ export class DronePanel {
     }
   }
 
-  /** @param {string} words */
-  say(words) {
-    this.#hint = words;
-    this.#hidden = outcomeText(this.#newest());
-    this.render();
+  /** @param {string} words @param {'hint' | 'note'} [tone] a note is nothing to mend */
+  say(words, tone = 'hint') {
+    this.#foot.say(words, tone);
+  }
+
+  get hint() {
+    return this.#foot.hint;
   }
 
   /** @param {string} operation @param {string} label @param {object} [parameters] */
   async send(operation, label, parameters) {
     const drone = this.#page.chosen();
-    return drone === null ? null : await this.#page.commands.send(drone, operation, label, parameters);
+    if (drone === null) {
+      return null;
+    }
+    const { commands, control } = this.#page;
+    const prepare = FLYING.has(operation) ? () => control.ensure(drone.id) : undefined;
+    return await commands.send(drone, operation, label, parameters, prepare);
   }
 
   /** Some modes do not allow arming: the server names one that does. */
@@ -159,11 +169,17 @@ export class DronePanel {
       : whyNoNumber('fly-height');
   }
 
-  #changeControl() {
+  #take() {
     const drone = this.#page.chosen();
     if (drone !== null) {
-      const { control } = this.#page;
-      void (control.isKept(drone.id) ? control.giveBack(drone.id) : control.take(drone.id));
+      void this.#page.control.take(drone.id);
+    }
+  }
+
+  #giveBack() {
+    const drone = this.#page.chosen();
+    if (drone !== null) {
+      void this.#page.control.giveBack(drone.id);
     }
   }
 
@@ -178,9 +194,8 @@ export class DronePanel {
       this.#renderControl(drone);
       this.#renderTarget(drone);
       this.#renderButtons(drone);
-      this.#renderOutcome();
     }
-    this.#renderLog();
+    this.#foot.render();
   }
 
   /** @param {Drone} drone */
@@ -218,13 +233,15 @@ export class DronePanel {
     const problem = control.problems.get(drone.id);
     const words = controlText(drone, user(), kept);
     setText(byId('control-words'), problem === undefined ? words : `${words} ${problem}`);
-    setText(byId('control'), kept ? 'Give back' : 'Take control');
+    byId('take-control').hidden = kept;
+    byId('give-back').hidden = !kept;
     const { outlook } = drone;
-    const returnsAt = outlook?.returnsAt ?? null;
-    const left = returnsAt === null ? '' : ` In ${spanText(Date.parse(returnsAt) - this.#page.now())}.`;
     const isDue =
       outlook !== null && outlook !== undefined && outlook.state !== 'kept' && outlook.state !== 'leftAlone';
-    setText(byId('outlook'), isDue ? `${outlook.then}${left}` : '');
+    setText(
+      byId('outlook'),
+      isDue && !control.lost.includes(drone) ? `${outlook.then}${leftText(drone, this.#page.now())}` : '',
+    );
   }
 
   /** @param {Drone} drone */
@@ -255,52 +272,6 @@ export class DronePanel {
     const mode = drone.actions.arm?.allowed ? (drone.actions.arm.mode ?? null) : null;
     setText(byId('arm-name'), mode === null ? 'Arm' : `Arm in ${mode}`);
   }
-
-  #newest() {
-    const drone = this.#page.chosen();
-    return drone === null ? undefined : this.#page.commands.newest(drone.id);
-  }
-
-  #renderOutcome() {
-    const entry = this.#newest();
-    const outcome = outcomeText(entry);
-    if (outcome !== this.#hidden) {
-      this.#hint = '';
-    }
-    const result = this.#hint !== '' ? 'hint' : (entry?.result ?? 'none');
-    setAttribute(byId('outcome'), 'data-result', result);
-    setText(byId('outcome-symbol'), result === 'none' ? '' : (SYMBOLS[result] ?? '!'));
-    setText(byId('outcome-words'), this.#hint !== '' ? this.#hint : outcome);
-  }
-
-  #renderLog() {
-    const { entries } = this.#page.commands;
-    byId('log-section').hidden = entries.length === 0;
-    renderList(
-      byId('log'),
-      entries,
-      (entry) => entry.id,
-      () =>
-        html(
-          'li',
-          {},
-          html('span', { class: 'symbol', 'aria-hidden': 'true' }),
-          html('p', {}, html('b'), html('span')),
-        ),
-      (child, entry) => {
-        setAttribute(child, 'data-result', entry.result);
-        setText(child.querySelector('.symbol'), SYMBOLS[entry.result] ?? '!');
-        const time = new Date(entry.at).toLocaleTimeString('en-GB');
-        setText(child.querySelector('b'), `${time} · ${entry.droneName} · ${entry.label}`);
-        setText(child.querySelector('p span'), ` ${entry.words}`);
-      },
-    );
-  }
-}
-
-/** @param {import('./commands.js').Entry | undefined} entry */
-function outcomeText(entry) {
-  return entry === undefined ? '' : `${entry.label}. ${entry.words}`;
 }
 
 /** Why the number in this field cannot be used; null: it can. @param {string} field */

@@ -2,6 +2,27 @@
 /** A button that counts only when it is held for 0.8 s, by mouse, finger or keyboard. */
 
 const HOLD_MILLISECONDS = 800;
+/** What a browser makes of the release. */
+const OF_RELEASE = ['touchend', 'mousedown', 'mouseup', 'click'];
+
+/**
+ * What the release does when the button has counted: nothing. By then the page may have changed, and something else
+ * lies under the finger. The next press begins with another event, which ends this.
+ */
+function swallowRelease() {
+  const swallow = (/** @type {Event} */ event) => {
+    event.preventDefault();
+    event.stopPropagation();
+  };
+  const end = (/** @type {PointerEvent} */ event) => {
+    if (event.isPrimary) {
+      OF_RELEASE.forEach((type) => removeEventListener(type, swallow, true));
+      removeEventListener('pointerdown', end, true);
+    }
+  };
+  OF_RELEASE.forEach((type) => addEventListener(type, swallow, { capture: true, passive: false }));
+  addEventListener('pointerdown', end, true);
+}
 
 /**
  * @param {HTMLButtonElement} button
@@ -12,6 +33,7 @@ export function holdToConfirm(button, confirm, tooShort) {
   /** @type {number | null} */
   let since = null;
   let timer = 0;
+  let byPointer = false;
   let clicks = 0;
   const isOff = () => button.getAttribute('aria-disabled') === 'true';
 
@@ -33,6 +55,9 @@ export function holdToConfirm(button, confirm, tooShort) {
 
   function complete() {
     stop();
+    if (byPointer) {
+      swallowRelease();
+    }
     if (!isOff()) {
       confirm();
     }
@@ -50,6 +75,7 @@ export function holdToConfirm(button, confirm, tooShort) {
 
   button.addEventListener('pointerdown', (event) => {
     if (event.button === 0) {
+      byPointer = true;
       begin(event.timeStamp);
     }
   });
@@ -69,6 +95,7 @@ export function holdToConfirm(button, confirm, tooShort) {
       // The browser would make a click of it at once.
       event.preventDefault();
       if (!event.repeat) {
+        byPointer = false;
         begin(event.timeStamp);
       }
     }

@@ -6,7 +6,7 @@ import { Control } from './control.js';
 import { byId, setAttribute, setText } from './dom.js';
 import { renderDrones } from './drone-list.js';
 import { DronePanel } from './drone-panel.js';
-import { placeOf, spanText } from './drone.js';
+import { isAirborne, placeOf, spanText } from './drone.js';
 import { Fleet } from './fleet.js';
 import { distanceMeters, placeText } from './geo.js';
 import { FlightMap } from './map.js';
@@ -57,12 +57,19 @@ const panel = new DronePanel({
 });
 const missionPanel = new MissionPanel({ chosen, draft, setDraft }, panel);
 const map = new FlightMap({
-  scene: () => ({ drones: fleet.drones, chosen: chosen(), draft: draft(), target, tool, tracks }),
+  scene: () => ({ drones: fleet.drones, chosen: chosen(), draft: draft(), target: goal(), tool, tracks }),
   ...{ choose, setTarget },
   addWaypoint: (place) => missionPanel.add(place),
   moveWaypoint: (key, place) => setDraft(withChange(draft(), key, place)),
 });
 const signIn = new SignIn(api, begin);
+
+/** The place that is to be confirmed, or is being flown to. @returns {Place | null} */
+function goal() {
+  const flight = chosenId === null ? undefined : commands.newestFlight(chosenId);
+  const isUnderWay = flight?.operation === 'goto' && (flight.progress?.state ?? 'goesOn') === 'goesOn';
+  return target ?? (isUnderWay ? flight.goal : null);
+}
 
 /** @param {import('./mission.js').Draft} changed */
 function setDraft(changed) {
@@ -122,6 +129,8 @@ function update() {
   for (const drone of drones) {
     remember(drone);
   }
+  commands.watch(drones);
+  control.watch(drones, user ?? commands.user);
   renderDrones(drones, chosenId, now(), chooseAndShow);
   panel.render();
   missionPanel.render();
@@ -192,6 +201,12 @@ document.addEventListener('input', update);
 setInterval(() => document.hidden || update(), 1000);
 
 byId('sign-out').addEventListener('click', async () => {
+  const flying = fleet.drones.find((drone) => control.isKept(drone.id) && isAirborne(drone));
+  const warning = `${flying?.name} is in the air: it is brought home once you sign out. Press “Sign out” again to do so.`;
+  if (flying !== undefined && panel.hint !== warning) {
+    panel.say(warning);
+    return;
+  }
   try {
     await control.giveAllBack();
     await api.signOut();

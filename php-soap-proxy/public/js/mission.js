@@ -5,6 +5,7 @@
  * @typedef {{ key: number, latitude: number, longitude: number, altitude: number,
  *   altitudeReference: 'home' | 'amsl', holdSeconds: number }} Waypoint
  * @typedef {'hold' | 'returnToLaunch' | 'land'} Ending
+ * @typedef {import('./drone.js').VehicleMission} Mission
  * @typedef {{ takeOff: number | null, waypoints: Waypoint[], ending: Ending, leftOut: number }} Draft
  * Altitudes in metres; `takeOff` null: the server adds one to the first waypoint's height; `leftOut`: items of the
  * drone's mission that this page cannot show.
@@ -108,8 +109,23 @@ function isSame(one, other) {
   );
 }
 
-/** The mission on board in a sentence. @param {import('./drone.js').VehicleMission} mission */
-export function onBoardText({ items, total, running, state, reached }) {
+/** "2 of 3 waypoints reached": items of other kinds are no places to count. @param {Mission} mission */
+export function reachedText({ items, total, reached }) {
+  const waypoints = (items ?? []).flatMap((item, index) => (item.waypoint ? [index] : []));
+  const done = new Set(reached ?? []);
+  return items === null || waypoints.length === 0
+    ? `${done.size} of ${total ?? '?'} items reached`
+    : `${waypoints.filter((index) => done.has(index)).length} of ${waypointsText(waypoints.length)} reached`;
+}
+
+/** @param {number} count */
+export function waypointsText(count) {
+  return `${count} ${count === 1 ? 'waypoint' : 'waypoints'}`;
+}
+
+/** The mission on board in a sentence. @param {Mission} mission */
+export function onBoardText(mission) {
+  const { items, total, running, state, reached } = mission;
   const count = items?.length ?? total;
   if (count === null) {
     return 'The mission on the drone is not known.';
@@ -118,7 +134,7 @@ export function onBoardText({ items, total, running, state, reached }) {
     return 'There is no mission on the drone.';
   }
   const done = new Set(reached ?? []).size;
-  const far = `${done} of ${count} items reached`;
+  const far = reachedText(mission);
   if (state === 'complete') {
     return `On the drone: mission complete, ${far}.`;
   }
@@ -128,7 +144,9 @@ export function onBoardText({ items, total, running, state, reached }) {
   if (state === 'paused' || done > 0) {
     return `On the drone: mission is ${state === 'paused' ? 'paused' : 'not running'}, ${far}.`;
   }
-  return `On the drone: mission of ${count} items, not running.`;
+  const waypoints = (items ?? []).filter((item) => item.waypoint).length;
+  const size = waypoints > 0 ? waypointsText(waypoints) : `${count} items`;
+  return `On the drone: mission of ${size}, not running.`;
 }
 
 /** The drafts of this tab, one for each drone; they outlive a reload and the end of a session. */

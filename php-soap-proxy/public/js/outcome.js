@@ -24,7 +24,7 @@ export function outcomeOf(operation, { result, by, reason }) {
   const why = reason ? `: ${reason}` : '.';
   switch (result) {
     case 'succeeded':
-      return [result, GOES_ON.has(operation) ? 'Succeeded: under way.' : 'Succeeded.'];
+      return [result, GOES_ON.has(operation) ? 'Succeeded: it has begun.' : 'Succeeded.'];
     case 'refused':
       return [result, `Refused by ${by === 'vehicle' ? 'the drone' : 'the server'}${why}`];
     case 'failed':
