@@ -9,6 +9,7 @@ from mkdocs.structure.files import File, Files
 
 from . import decisions, links, reference
 from .built import BuiltSite
+from .names import breakable
 from .navigation import navigation
 from .sources import Sources
 
@@ -66,6 +67,11 @@ def on_files(files: Files, *, config: MkDocsConfig, **_: Any) -> Files:
     _build = Build()
     _build.files(config, files)
     return files
+
+
+def on_post_page(output: str, **_: Any) -> str:
+    """Not before: the search is to know the names as they are."""
+    return breakable(output)
 
 
 def on_post_build(*, config: MkDocsConfig, **_: Any) -> None:

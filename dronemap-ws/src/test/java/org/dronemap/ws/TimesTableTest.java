@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.regex.Pattern;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.lane.Watchdog;
 import org.dronemap.core.lease.LeaseRules;
@@ -15,6 +16,11 @@ import org.junit.jupiter.api.Test;
 
 /** The table of times says what the code does, and each time is over before the next one counts. */
 class TimesTableTest {
+    private static final int WHAT = 1;
+    private static final int SECONDS = 3;
+    private static final int SET_BY = 5;
+    private static final int MEASURED = 6;
+    private static final Pattern SETTING = Pattern.compile("`(DRONEMAP_\\w+)`");
     private static final LeaseRules CONTROL = LeaseRules.DEFAULT;
 
     private static List<String[]> rows() throws IOException {
@@ -26,8 +32,8 @@ class TimesTableTest {
 
     private static Duration said(String what) throws IOException {
         List<Duration> all = rows().stream()
-                .filter(row -> row[1].trim().equals(what))
-                .map(row -> Duration.ofMillis(Math.round(1_000 * Double.parseDouble(row[2].trim()))))
+                .filter(row -> row[WHAT].trim().equals(what))
+                .map(row -> Duration.ofMillis(Math.round(1_000 * Double.parseDouble(row[SECONDS].trim()))))
                 .distinct()
                 .toList();
         assertThat(all).as(what).hasSize(1);
@@ -63,12 +69,22 @@ class TimesTableTest {
     @Test
     void whatWasMeasuredIsNoLaterThanASecond() throws IOException {
         for (String[] row : rows()) {
-            String measured = row[5].trim();
+            String measured = row[MEASURED].trim();
             if (!measured.isEmpty()) {
                 assertThat(Double.parseDouble(measured))
-                        .as(row[1])
-                        .isLessThanOrEqualTo(Double.parseDouble(row[2].trim()) + 1);
+                        .as(row[WHAT])
+                        .isLessThanOrEqualTo(Double.parseDouble(row[SECONDS].trim()) + 1);
             }
         }
+    }
+
+    @Test
+    void namesSettingsThatThereAre() throws IOException {
+        String settings = Files.readString(Path.of("../docs/settings.md"));
+        List<String> named = rows().stream()
+                .flatMap(row -> SETTING.matcher(row[SET_BY]).results())
+                .map(found -> found.group(1))
+                .toList();
+        assertThat(named).isNotEmpty().allSatisfy(name -> assertThat(settings).contains("`" + name + "`"));
     }
 }

@@ -8,9 +8,10 @@ import org.dronemap.core.command.Outcome;
 /** Ends a command with an unknown outcome when nothing was heard of it for 90 seconds. Owned by the drone's lane. */
 public final class CommandTimeoutWatch implements Lane.TimedTask {
     /** No command goes without a sign for longer than this. */
-    private static final long LONGEST_SILENCE_NANOS = Duration.ofSeconds(90).toNanos();
+    public static final Duration LONGEST_SILENCE = Duration.ofSeconds(90);
 
-    private static final Outcome UNHEARD = new Outcome.Unknown("Nothing was heard of it for 90 s; look at the drone.");
+    private static final Outcome UNHEARD = new Outcome.Unknown(
+            "Nothing was heard of it for " + LONGEST_SILENCE.toSeconds() + " s; look at the drone.");
 
     private final CommandTracker command;
     private final Lane lane;
@@ -26,7 +27,7 @@ public final class CommandTimeoutWatch implements Lane.TimedTask {
     public void advance() {
         if (command.record().outcome() != null) {
             lane.removeTimedTask(this);
-        } else if (command.silentFor(lane.activeNanos(), LONGEST_SILENCE_NANOS)) {
+        } else if (command.silentFor(lane.activeNanos(), LONGEST_SILENCE.toNanos())) {
             lane.removeTimedTask(this);
             giveUp.accept(UNHEARD);
         }

@@ -12,7 +12,7 @@ import org.dronemap.core.command.Outcome;
  */
 public final class CommandTracker {
     /** On its way to the vehicle within the server; whoever gave it sees something else by then. */
-    private static final Duration LONGEST_WAY = Duration.ofSeconds(10);
+    public static final Duration LONGEST_WAY = Duration.ofSeconds(10);
 
     public static final Outcome LATE = new Outcome.TimedOut(
             "It was not on its way to the vehicle within " + LONGEST_WAY.toSeconds() + " s, so it was not sent.");
