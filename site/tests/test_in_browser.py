@@ -101,6 +101,18 @@ def test_words_of_people_lead_to_the_page_that_answers(page: Page, address: str,
     assert page_found in pages
 
 
+@pytest.mark.parametrize(("word", "first"), [("hadoop", "archive.html"), ("unsigned", "jobs/secure-links.html")])
+def test_text_of_a_page_that_answers_comes_before_a_title_of_a_decision(
+    page: Page, address: str, word: str, first: str
+) -> None:
+    page.goto(f"{address}/index.html")
+    page.get_by_role("textbox", name="Search").fill(word)
+    found = page.locator(".md-search-result__item")
+    expect(found.first).to_be_visible()
+    link = found.first.locator("a").first.get_attribute("href") or ""
+    assert link.replace(address, "").lstrip("/").partition("?")[0].partition("#")[0] == first
+
+
 @pytest.mark.parametrize("path", ["index.html", "reference/rest/commands.html", "security.html"])
 def test_page_fits_a_phone(page: Page, address: str, path: str) -> None:
     page.set_viewport_size({"width": PHONE["width"], "height": PHONE["height"]})
