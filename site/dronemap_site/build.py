@@ -27,7 +27,9 @@ class Build:
         faults = [fault for linked in self.linked.values() for fault in linked.faults]
         written, entries = reference.pages(self.sources)
         texts = {uri: ranked(text, reference.rank(uri)) for uri, text in written.items()}
-        texts |= decisions.pages(self.sources)
+        texts |= {
+            uri: ranked(text, self.sources.rank(f"docs/{uri}")) for uri, text in decisions.pages(self.sources).items()
+        }
         for path, uri in self.sources.pages.items():
             texts[uri] = ranked(self.linked[path].text, self.sources.rank(path))
         for uri, text in texts.items():

@@ -65,6 +65,54 @@ def test_search_leads_to_the_reference_first(page: Page, address: str, words: st
     assert found.endswith(f"#{anchor}")
 
 
+@pytest.mark.parametrize(
+    ("words", "page_found"),
+    [
+        ("which port telemetry radio", "jobs/connect-a-drone.html"),
+        ("two vehicles with the same system id", "jobs/connect-a-drone.html"),
+        ("out of contact", "jobs/see-the-fleet.html"),
+        ("command timeout", "jobs/fly-a-drone.html"),
+        ("python take off", "guides/python.html"),
+        ("robot laser scan", "jobs/connect-a-robot.html"),
+        ("first administrator", "jobs/users-and-roles.html"),
+        ("disable user while flying", "jobs/users-and-roles.html"),
+        ("schedule", "what-it-is.html"),
+        ("backup database", "operations/backup.html"),
+        ("wsdl", "guides/soap.html"),
+        ("send command twice", "guides/rest.html"),
+        ("live feed positions", "guides/stream.html"),
+        ("raw mavlink", "what-it-is.html"),
+        ("one drone goes down", "jobs/mission-runs.html"),
+        ("battery reserve", "what-it-is.html"),
+        ("follow me", "follow.html"),
+        ("plugin", "what-it-is.html"),
+        ("no-fly zone in flight", "jobs/zones.html"),
+        ("encrypt and sign", "jobs/secure-links.html"),
+        ("photogrammetry", "what-it-is.html"),
+    ],
+)
+def test_words_of_people_lead_to_the_page_that_answers(page: Page, address: str, words: str, page_found: str) -> None:
+    page.goto(f"{address}/index.html")
+    page.get_by_role("textbox", name="Search").fill(words)
+    found = page.locator(".md-search-result__item")
+    expect(found.first).to_be_visible()
+    links = [item.locator("a").first.get_attribute("href") or "" for item in found.all()[:3]]
+    pages = [link.replace(address, "").lstrip("/").partition("?")[0].partition("#")[0] for link in links]
+    assert page_found in pages
+
+
+@pytest.mark.parametrize(("word", "first"), [("hadoop", "archive.html"), ("unsigned", "jobs/secure-links.html")])
+def test_text_of_a_page_that_answers_comes_before_a_title_of_a_decision(
+    page: Page, address: str, word: str, first: str
+) -> None:
+    page.goto(f"{address}/index.html")
+    page.get_by_role("textbox", name="Search").fill(word)
+    found = page.locator(".md-search-result__item")
+    expect(found.first).to_be_visible()
+    link = found.first.locator("a").first.get_attribute("href") or ""
+    assert link.replace(address, "").lstrip("/").partition("?")[0].partition("#")[0] == first
+
+
 @pytest.mark.parametrize("path", ["index.html", "reference/rest/commands.html", "security.html"])
 def test_page_fits_a_phone(page: Page, address: str, path: str) -> None:
     page.set_viewport_size({"width": PHONE["width"], "height": PHONE["height"]})

@@ -7,8 +7,11 @@ from .contract import Contract
 
 
 def rank(uri: str) -> float:
-    """How much a page counts in the search: who looks for an operation means its page, not a list or a type."""
-    return 2 if uri.startswith(("reference/rest/", "reference/soap/")) else 0.5
+    """
+    How much a page counts in the search: less than one that answers questions, and the page of an operation more than a
+    list or a type. A word in a title counts a thousand times one in the text.
+    """
+    return 0.1 if uri.startswith("reference/rest/") else 0.02
 
 
 def pages(sources: Sources) -> tuple[dict[str, str], Nav]:

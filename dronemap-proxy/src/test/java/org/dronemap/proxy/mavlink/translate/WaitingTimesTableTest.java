@@ -60,7 +60,7 @@ class WaitingTimesTableTest {
 
     private static List<String[]> rows(int columns) throws IOException {
         return Files.readAllLines(Path.of("../docs/jobs/fly-a-drone.md")).stream()
-                .dropWhile(line -> !line.startsWith("### How long the server waits"))
+                .dropWhile(line -> !line.startsWith("### Command timeout:"))
                 .skip(1)
                 .takeWhile(line -> !line.startsWith("#"))
                 .filter(line -> line.startsWith("| ") && !line.startsWith("| ---"))
