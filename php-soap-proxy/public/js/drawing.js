@@ -123,7 +123,7 @@ export function droneMarks(view, drones, chosen, places) {
   });
   placed.sort((one, other) => Number(one.drone.id === chosen) - Number(other.drone.id === chosen));
   const points = [...placed.map(({ point }) => point), ...places.map((place) => view.toPixels(place))];
-  const taken = [...toolBoxes(view), ...points.map(({ x, y }) => box(x - 15, y - 15, 30, 30))];
+  const taken = [...scaleBoxes(view), ...points.map(({ x, y }) => box(x - 15, y - 15, 30, 30))];
   return placed
     .reverse()
     .map(({ drone, point }) => {
@@ -138,9 +138,9 @@ export function droneMarks(view, drones, chosen, places) {
     .reverse();
 }
 
-/** Where map.css lays buttons over the map. @param {View} view */
-function toolBoxes(view) {
-  return [box(0, 0, 245, 64), box(view.width - 60, 0, 60, 210)];
+/** Where the scale and the north arrow are. @param {View} view */
+function scaleBoxes(view) {
+  return [box(0, view.height - 46, 140, 46), box(view.width - 44, 0, 44, 60)];
 }
 
 /** @param {Drone} drone */
