@@ -75,6 +75,10 @@ class PhpPage:
         expect(self.button(label)).to_have_attribute("aria-disabled", "false")
         self.input_method.hold(self.page, self.button(label))
 
+    def is_off(self, label: str, reason: str) -> None:
+        expect(self.button(label)).to_have_attribute("aria-disabled", "true")
+        expect(self.button(label)).to_contain_text(reason)
+
     def choose(self, drone: str) -> None:
         line = self.page.get_by_role("button", name=re.compile("Change|Close"))
         listed = self.page.get_by_role("listitem").get_by_role("button")

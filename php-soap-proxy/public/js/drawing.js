@@ -173,11 +173,12 @@ function label(view, drone, { x, y }, taken) {
   const height = drone.position?.altitudeAboveHome ?? null;
   const text = drone.link.state === 'lost' ? `${drone.name} · lost` : `${drone.name} · ${fixed(height)} m`;
   const width = text.length * LETTER_PIXELS + 12;
+  const across = Math.max(0, Math.min(view.width - width, x - width / 2));
   const free = [
     box(x + 22, y - 11, width, 22),
     box(x - 22 - width, y - 11, width, 22),
-    box(x - width / 2, y - 44, width, 22),
-    box(x - width / 2, y + 22, width, 22),
+    box(across, y - 44, width, 22),
+    box(across, y + 22, width, 22),
   ].find((one) => one.x >= 0 && one.x + width <= view.width && taken.every((other) => !overlap(one, other)));
   if (free === undefined) {
     return [];

@@ -43,7 +43,7 @@ function updateLine(drone) {
     setAttribute(line, 'data-tone', tone);
     setText(line.querySelector('.symbol'), SYMBOLS[tone]);
     setText(line.querySelector('.name'), drone.name);
-    setText(line.querySelector('.status'), `${words} · ${height} m`);
+    setText(line.querySelector('.status'), `${height} m · ${words}`);
     const isFolded = line.getAttribute('aria-expanded') === 'false';
     setText(line.querySelector('.change'), isFolded ? 'Change ▾' : 'Close ▴');
   }
