@@ -75,9 +75,19 @@ class PhpPage:
         expect(self.button(label)).to_have_attribute("aria-disabled", "false")
         self.input_method.hold(self.page, self.button(label))
 
+    def is_off(self, label: str, reason: str) -> None:
+        expect(self.button(label)).to_have_attribute("aria-disabled", "true")
+        expect(self.button(label)).to_contain_text(reason)
+
     def choose(self, drone: str) -> None:
-        listed = self.page.get_by_role("button").filter(has_text=re.compile(rf"{re.escape(drone)}\s"))
-        self.input_method.press(self.page, listed.first)
+        line = self.page.get_by_role("button", name=re.compile("Change|Close"))
+        listed = self.page.get_by_role("listitem").get_by_role("button")
+        expect(line.or_(listed).first).to_be_visible()
+        # On a phone the list is folded to one line.
+        if line.is_visible():
+            self.input_method.press(self.page, line)
+        named = listed.filter(has_text=re.compile(rf"{re.escape(drone)}\s"))
+        self.input_method.press(self.page, named.first)
         expect(self.page.get_by_role("heading", name=drone, exact=True)).to_be_visible()
 
     def tool(self, name: str) -> None:
@@ -109,13 +119,29 @@ class PhpPage:
     def mark(self, drone: str) -> Spot:
         """Where on the screen the map draws that drone (by its id)."""
         self.map.scroll_into_view_if_needed()
+        return self.centre(f'[data-drone="{drone}"] .ring')
+
+    def centre(self, mark: str) -> Spot:
+        """Of the last such mark on the map (by CSS), on the screen."""
         # After what was asked for is drawn, and at one moment: the map is drawn anew while one looks.
         x, y = self.page.evaluate(
-            """async (drone) => {
+            """async (mark) => {
                  for (const _ of [1, 2]) await new Promise((drawn) => requestAnimationFrame(drawn));
                  const { x, y, width, height } =
-                   document.querySelector(`[data-drone="${drone}"] .ring`).getBoundingClientRect();
+                   [...document.querySelectorAll(mark)].at(-1).getBoundingClientRect();
                  return [x + width / 2, y + height / 2];
+               }""",
+            mark,
+        )
+        return Spot(x, y)
+
+    def inside_map(self, drone: str) -> Spot:
+        """Where that drone is on the map, however the page is scrolled."""
+        x, y = self.page.evaluate(
+            """(drone) => {
+                 const mark = document.querySelector(`[data-drone="${drone}"] .ring`).getBoundingClientRect();
+                 const map = document.getElementById('map').getBoundingClientRect();
+                 return [Math.round(mark.x - map.x), Math.round(mark.y - map.y)];
                }""",
             drone,
         )
@@ -123,6 +149,16 @@ class PhpPage:
 
     def tap(self, spot: Spot) -> None:
         self.input_method.tap_map(self.page, spot.x, spot.y)
+
+    def swipe(self, start: Spot, end: Spot) -> None:
+        """One finger from there to there."""
+        devices = self.page.context.new_cdp_session(self.page)
+        for step in range(6):
+            x, y = (a + (b - a) * step / 5 for a, b in zip(start, end, strict=True))
+            kind = "touchMove" if step else "touchStart"
+            devices.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x, "y": y}]})
+        devices.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+        devices.detach()
 
     def target(self) -> Point:
         """The place that it asks for a confirmation of."""

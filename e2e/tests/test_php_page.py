@@ -85,20 +85,24 @@ def test_a_person_flies_a_mission_of_clicks(
     page.click_waypoints(copter["id"])
     drawn = page.waypoints()
     page.picture("planned")
-    page.press("Save to drone")
-    page.says("Save the mission of 3 waypoints. Succeeded.")
+    page.press("Upload to drone")
+    page.says("Upload the mission of 3 waypoints. Succeeded.")
     assert are_same(on_board(api, copter), drawn)
-    expect(page.page.get_by_text("Saved on the drone")).to_be_visible()
+    expect(page.page.get_by_text("On the drone", exact=True)).to_be_visible()
 
     page.page.reload()
-    expect(page.page.get_by_text("Saved on the drone")).to_be_visible()
+    expect(page.page.get_by_text("On the drone", exact=True)).to_be_visible()
     page.press("Clear the draft")
     assert page.waypoints() == []
     page.press("Load from drone")
+    page.says("Loaded from the drone: 3 waypoints.")
+    expect(page.outcome).to_have_attribute("data-result", "note")
     assert are_same(page.waypoints(), drawn)
 
+    page.is_off("Pause mission", "No mission is running.")
     page.hold("Start mission")
     page.says("Start mission: running, 1 of 3 waypoints reached", 60)
+    page.is_off("Start mission", "The mission is running.")
     page.says("Start mission: complete", 60)
     assert len(api.drone(copter["id"])["mission"]["reached"]) >= 4
     page.picture("flown")
@@ -117,6 +121,7 @@ def test_a_phone_flies_and_lands(
     page = php_page(php_proxy, Touch(), PHONE, dark=True)
     page.sign_in(php_pilot.name, php_pilot.password)
     page.choose(copter["name"])
+    page.is_off("Delete the mission on the drone", "There is no mission on the drone.")
     page.press("Arm")
     page.says("Nothing was sent: hold “Arm”")
     assert api.drone(copter["id"])["armed"] is False
@@ -132,8 +137,8 @@ def test_a_phone_flies_and_lands(
     page.click_waypoints(copter["id"])
     drawn = page.waypoints()
     page.page.get_by_label("At the end").select_option("Return to launch")
-    page.press("Save to drone")
-    page.says("Save the mission of 3 waypoints. Succeeded.")
+    page.press("Upload to drone")
+    page.says("Upload the mission of 3 waypoints. Succeeded.")
     assert are_same(on_board(api, copter), drawn)
     assert api.drone(copter["id"])["mission"]["items"][-1] == {"type": "returnToLaunch"}
     page.picture("phone")
@@ -143,6 +148,7 @@ def test_a_phone_flies_and_lands(
     page.says("Land: landing")
     wait_for("it landed and disarmed", lambda: api.drone(copter["id"])["armed"] is False, 120)
     # In LAND it refuses to be armed: its mode is changed first.
+    expect(page.button("Arm in GUIDED")).to_contain_text("In LAND it cannot be armed")
     page.hold("Arm in GUIDED")
     page.says("Arm. Succeeded.")
     assert api.drone(copter["id"])["mode"] == "GUIDED"

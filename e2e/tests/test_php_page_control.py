@@ -39,6 +39,8 @@ def test_letting_go_of_a_held_button_presses_nothing_else(
     page.hold("Fly there")
     page.says("Fly to")
     assert page.page.evaluate("pressed") == []
+    page.button("Hold").press("Enter")
+    page.says("Hold. Succeeded.")
 
     page.press("Give back")
     page.says("Nothing was sent: hold “Give back”")

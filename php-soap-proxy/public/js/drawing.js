@@ -123,7 +123,7 @@ export function droneMarks(view, drones, chosen, places) {
   });
   placed.sort((one, other) => Number(one.drone.id === chosen) - Number(other.drone.id === chosen));
   const points = [...placed.map(({ point }) => point), ...places.map((place) => view.toPixels(place))];
-  const taken = [...toolBoxes(view), ...points.map(({ x, y }) => box(x - 15, y - 15, 30, 30))];
+  const taken = [...scaleBoxes(view), ...points.map(({ x, y }) => box(x - 15, y - 15, 30, 30))];
   return placed
     .reverse()
     .map(({ drone, point }) => {
@@ -138,9 +138,9 @@ export function droneMarks(view, drones, chosen, places) {
     .reverse();
 }
 
-/** Where map.css lays buttons over the map. @param {View} view */
-function toolBoxes(view) {
-  return [box(0, 0, 245, 64), box(view.width - 60, 0, 60, 210)];
+/** Where the scale and the north arrow are. @param {View} view */
+function scaleBoxes(view) {
+  return [box(0, view.height - 46, 140, 46), box(view.width - 44, 0, 44, 60)];
 }
 
 /** @param {Drone} drone */
@@ -173,11 +173,12 @@ function label(view, drone, { x, y }, taken) {
   const height = drone.position?.altitudeAboveHome ?? null;
   const text = drone.link.state === 'lost' ? `${drone.name} · lost` : `${drone.name} · ${fixed(height)} m`;
   const width = text.length * LETTER_PIXELS + 12;
+  const across = Math.max(0, Math.min(view.width - width, x - width / 2));
   const free = [
     box(x + 22, y - 11, width, 22),
     box(x - 22 - width, y - 11, width, 22),
-    box(x - width / 2, y - 44, width, 22),
-    box(x - width / 2, y + 22, width, 22),
+    box(across, y - 44, width, 22),
+    box(across, y + 22, width, 22),
   ].find((one) => one.x >= 0 && one.x + width <= view.width && taken.every((other) => !overlap(one, other)));
   if (free === undefined) {
     return [];

@@ -23,6 +23,30 @@ export function renderDrones(drones, chosen, now, choose) {
     (drone) => row(drone, choose),
     (child, drone) => update(child, drone, drone.id === chosen, now),
   );
+  updateLine(drones.find((drone) => drone.id === chosen));
+}
+
+/** On a phone the list folds to the chosen drone, until one wants another. @param {boolean} folded */
+export function foldDrones(folded) {
+  byId('drones').classList.toggle('folded', folded);
+  setAttribute(byId('drone-line'), 'aria-expanded', String(!folded));
+}
+
+/** @param {Drone | undefined} drone the chosen one */
+function updateLine(drone) {
+  const line = byId('drone-line');
+  line.hidden = drone === undefined;
+  byId('drones').classList.toggle('chosen', drone !== undefined);
+  if (drone !== undefined) {
+    const { words, tone } = statusOf(drone);
+    const height = fixed(drone.position?.altitudeAboveHome);
+    setAttribute(line, 'data-tone', tone);
+    setText(line.querySelector('.symbol'), SYMBOLS[tone]);
+    setText(line.querySelector('.name'), drone.name);
+    setText(line.querySelector('.status'), `${height} m · ${words}`);
+    const isFolded = line.getAttribute('aria-expanded') === 'false';
+    setText(line.querySelector('.change'), isFolded ? 'Change ▾' : 'Close ▴');
+  }
 }
 
 /** @param {Drone} drone @param {(id: string) => void} choose */

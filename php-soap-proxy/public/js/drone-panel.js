@@ -271,6 +271,9 @@ export class DronePanel {
     }
     const mode = drone.actions.arm?.allowed ? (drone.actions.arm.mode ?? null) : null;
     setText(byId('arm-name'), mode === null ? 'Arm' : `Arm in ${mode}`);
+    if (mode !== null && byId('arm-why').textContent === '') {
+      setText(byId('arm-why'), `In ${drone.mode} it cannot be armed: its mode is changed first.`);
+    }
   }
 }
 

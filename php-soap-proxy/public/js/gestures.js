@@ -44,6 +44,12 @@ export class Gestures {
     element.addEventListener('pointermove', (event) => this.#move(event));
     element.addEventListener('pointerup', (event) => this.#up(event));
     element.addEventListener('pointercancel', (event) => this.#end(event));
+    // What two fingers do is for the map, and must not scroll the page as well.
+    for (const type of /** @type {const} */ (['touchstart', 'touchmove'])) {
+      element.addEventListener(type, (event) => event.touches.length > 1 && event.preventDefault(), {
+        passive: false,
+      });
+    }
     element.addEventListener('keydown', (event) => this.#key(event));
     element.addEventListener(
       'wheel',
@@ -94,6 +100,9 @@ export class Gestures {
         return;
       }
       this.#moved = true;
+      if (this.#waypoint === null && event.pointerType === 'touch' && this.#leavesTouchToPage()) {
+        return;
+      }
       if (this.#waypoint === null) {
         this.#handler.onPan(point.x - before.x, point.y - before.y);
       } else {
@@ -101,6 +110,11 @@ export class Gestures {
       }
     }
     this.#pointers.set(event.pointerId, point);
+  }
+
+  /** Where the page is longer than the screen, one finger scrolls it. */
+  #leavesTouchToPage() {
+    return getComputedStyle(this.#element).touchAction !== 'none';
   }
 
   /** @param {number} moved @param {Point} before @param {Point} point */

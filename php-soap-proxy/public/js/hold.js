@@ -11,6 +11,10 @@ const OF_RELEASE = ['touchend', 'mousedown', 'mouseup', 'click'];
  */
 function swallowRelease() {
   const swallow = (/** @type {Event} */ event) => {
+    // A click without a pointer is of a keyboard or a screen reader.
+    if (event instanceof MouseEvent && event.type === 'click' && event.detail === 0) {
+      return;
+    }
     event.preventDefault();
     event.stopPropagation();
   };

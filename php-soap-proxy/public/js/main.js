@@ -4,7 +4,7 @@ import { Api, isSignedOut, NoAnswer, sentenceOf } from './api.js';
 import { Commands } from './commands.js';
 import { Control } from './control.js';
 import { byId, setAttribute, setText } from './dom.js';
-import { renderDrones } from './drone-list.js';
+import { foldDrones, renderDrones } from './drone-list.js';
 import { DronePanel } from './drone-panel.js';
 import { isAirborne, placeOf, spanText } from './drone.js';
 import { Fleet } from './fleet.js';
@@ -21,12 +21,17 @@ const SESSION_ENDED = 'Your session has ended. Sign in again; your draft of a mi
 const STALE_MILLISECONDS = 3000;
 const TRACK_POINTS = 900;
 const TRACK_METERS = 0.5;
-const TOOL_HINTS = {
-  look: 'Click a drone to choose it. Drag to move, turn the wheel or pinch to zoom.',
-  fly: 'Click the place that the drone shall fly to; nothing is sent before you confirm it.',
-  waypoints:
-    'Click to add waypoints, drag them to move them. By keyboard: arrows move the map, Enter adds at its middle.',
-};
+const TOOL_HINTS = matchMedia('(pointer: coarse)').matches
+  ? {
+      look: 'Tap a drone to choose it. Two fingers move the map.',
+      fly: 'Tap the place to fly to; nothing is sent yet.',
+      waypoints: 'Tap to add waypoints, drag to move them.',
+    }
+  : {
+      look: 'Click a drone to choose it; drag and wheel move the map.',
+      fly: 'Click the place to fly to; nothing is sent yet.',
+      waypoints: 'Click to add waypoints, drag to move them. Keys: arrows, then Enter.',
+    };
 
 const api = new Api();
 const fleet = new Fleet(api, update);
@@ -92,6 +97,10 @@ function choose(id) {
 /** @param {string} id */
 function chooseAndShow(id) {
   choose(id);
+  foldDrones(true);
+  // The row that had the focus may be gone; where nothing folds, this does nothing.
+  byId('drone-line').focus();
+  update();
   const drone = chosen();
   map.show(drone === null ? null : placeOf(drone));
 }
@@ -197,6 +206,10 @@ for (const name of /** @type {const} */ (['look', 'fly', 'waypoints'])) {
   });
 }
 document.addEventListener('input', update);
+byId('drone-line').addEventListener('click', () => {
+  foldDrones(byId('drone-line').getAttribute('aria-expanded') === 'true');
+  update();
+});
 // Ages and countdowns go on while nobody answers.
 setInterval(() => document.hidden || update(), 1000);
 

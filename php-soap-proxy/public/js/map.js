@@ -49,10 +49,14 @@ export class FlightMap {
     byId('zoom-out').addEventListener('click', () => this.#change(() => this.#view.zoom(1 / ZOOM_STEP)));
     byId('show-all').addEventListener('click', () => this.showAll());
     this.#root.addEventListener('pointermove', (/** @type {PointerEvent} */ event) => {
+      if (event.pointerType !== 'mouse') {
+        return;
+      }
       const box = this.#root.getBoundingClientRect();
       const place = this.#view.toPlace({ x: event.clientX - box.left, y: event.clientY - box.top });
       setText(byId('map-place'), placeText(place));
     });
+    this.#root.addEventListener('pointerleave', () => setText(byId('map-place'), ''));
     new ResizeObserver(() => this.#resize()).observe(this.#root);
   }
 

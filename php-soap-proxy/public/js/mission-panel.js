@@ -22,20 +22,33 @@ export class MissionPanel {
     this.#page = page;
     this.#panel = panel;
     panel.button(
-      'save',
+      'upload',
       'uploadMission',
       'uploadMission',
-      () => this.#save(),
-      () => this.#whyNoSave(),
+      () => this.#upload(),
+      () => this.#whyNoUpload(),
     );
-    panel.button('start', 'startMission', 'startMission', () =>
-      panel.send('startMission', startName(page.chosen())),
+    const mission = () => page.chosen()?.mission;
+    panel.button(
+      'start',
+      'startMission',
+      'startMission',
+      () => panel.send('startMission', startName(page.chosen())),
+      () => (missions.isRunning(mission()) ? 'The mission is running.' : null),
     );
-    panel.button('pause', 'pauseMission', 'pauseMission', () =>
-      panel.send('pauseMission', 'Pause the mission'),
+    panel.button(
+      'pause',
+      'pauseMission',
+      'pauseMission',
+      () => panel.send('pauseMission', 'Pause the mission'),
+      () => (missions.isRunning(mission()) ? null : 'No mission is running.'),
     );
-    panel.button('clear', 'clearMission', 'clearMission', () =>
-      panel.send('clearMission', 'Delete the mission on the drone'),
+    panel.button(
+      'clear',
+      'clearMission',
+      'clearMission',
+      () => panel.send('clearMission', 'Delete the mission on the drone'),
+      () => (mission()?.items?.length === 0 ? 'There is no mission on the drone.' : null),
     );
     byId('load').addEventListener('click', () => this.#load());
     byId('discard').addEventListener('click', () => page.setDraft(missions.emptyDraft()));
@@ -56,14 +69,13 @@ export class MissionPanel {
     this.#page.setDraft(missions.withWaypoint(draft, place, byId('waypoint-height').valueAsNumber));
   }
 
-  async #save() {
+  async #upload() {
     const draft = this.#page.draft();
-    const count = draft.waypoints.length;
-    const label = `Save the mission of ${count} ${count === 1 ? 'waypoint' : 'waypoints'}`;
+    const label = `Upload the mission of ${missions.waypointsText(draft.waypoints.length)}`;
     await this.#panel.send('uploadMission', label, { items: missions.itemsOf(draft) });
   }
 
-  #whyNoSave() {
+  #whyNoUpload() {
     const { waypoints, leftOut } = this.#page.draft();
     if (leftOut > 0) {
       return `${leftOut} items of the drone's mission cannot be shown here and would be lost: clear the draft first.`;
@@ -77,8 +89,9 @@ export class MissionPanel {
       this.#panel.say('Nothing was loaded: the server knows of no mission on the drone.');
       return;
     }
-    this.#page.setDraft(missions.draftOf(items));
-    this.#panel.say(`Loaded from the drone: ${items.length} items.`);
+    const draft = missions.draftOf(items);
+    this.#page.setDraft(draft);
+    this.#panel.say(`Loaded from the drone: ${missions.waypointsText(draft.waypoints.length)}.`, 'note');
   }
 
   render() {
@@ -93,10 +106,7 @@ export class MissionPanel {
       byId('on-board'),
       [missions.onBoardText(drone.mission), drone.mission.notice].filter(Boolean).join(' '),
     );
-    setText(
-      byId('draft-state'),
-      empty ? 'No draft' : onBoard ? 'Saved on the drone' : 'Draft · not on the drone',
-    );
+    setText(byId('draft-state'), empty ? 'No draft' : onBoard ? 'On the drone' : 'Draft · not on the drone');
     setAttribute(byId('draft-state'), 'data-tone', empty ? 'neutral' : onBoard ? 'good' : 'planned');
     setText(byId('start-name'), startName(drone));
     byId('start-warning').hidden = empty || onBoard || whyNot(drone, 'startMission') !== null;

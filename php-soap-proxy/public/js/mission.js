@@ -118,6 +118,11 @@ export function reachedText({ items, total, reached }) {
     : `${waypoints.filter((index) => done.has(index)).length} of ${waypointsText(waypoints.length)} reached`;
 }
 
+/** What the vehicle says of it goes before what its mode tells. @param {Mission | undefined} mission */
+export function isRunning(mission) {
+  return mission !== undefined && (mission.state === null ? mission.running : mission.state === 'running');
+}
+
 /** @param {number} count */
 export function waypointsText(count) {
   return `${count} ${count === 1 ? 'waypoint' : 'waypoints'}`;
