@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
+import requests
 from playwright.sync_api import Browser
 
 from dronemap_e2e.api import Api, Json
@@ -76,8 +77,11 @@ def commands(api: Api, drone: Json) -> list[str]:
 def test_lost_answer_is_told_as_not_known(server: Server, api: Api, drone: Json, tmp_path: Path) -> None:
     """End to end because a line is cut under a call that is on its way."""
     line = CuttableProxy(server.http_port)
+    # The first description of the services takes a server longer than that patience.
+    for service in ("ServerService", "MAVLinkControllerService"):
+        assert requests.get(f"{server.address}/services/{service}?wsdl", timeout=60).ok
     proxy = PhpProxy(
-        f"http://127.0.0.1:{line.port}", tmp_path, DRONEMAP_PHP_PATIENCE="2", PHP_CLI_SERVER_WORKERS="1"
+        f"http://127.0.0.1:{line.port}", tmp_path, DRONEMAP_PHP_PATIENCE="4", PHP_CLI_SERVER_WORKERS="1"
     )
     proxy.start()
     try:
