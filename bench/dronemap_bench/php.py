@@ -25,7 +25,7 @@ ENVELOPE = """<s:Envelope xmlns:s="http://schemas.xmlsoap.org/soap/envelope/"><s
 
 @dataclass(frozen=True)
 class Options:
-    """How many calls a round has by each way, and how many drones are listed."""
+    """Calls of a round by each way, and drones that are listed."""
 
     rounds: int = 5
     calls: int = 400

@@ -1,6 +1,6 @@
 package org.dronemap.example;
 
-/** Why a flight ended before its time: a sentence for people, behind it in brackets the server's code for programs. */
+/** End of a flight before its time: a sentence for people, behind it in brackets the server's code for programs. */
 final class FlightException extends Exception {
     private static final long serialVersionUID = 1;
 
