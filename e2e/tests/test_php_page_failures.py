@@ -95,6 +95,33 @@ def test_line_to_the_server_that_is_cut(
         line.close()
 
 
+def test_flight_that_nobody_hears_of_is_not_told_as_seen(
+    server: Server, php_page: OpenPage, php_pilot: Pilot, copter: Json, tmp_path: Path
+) -> None:
+    """End to end because a line is cut between PHP and the server while a drone climbs."""
+    line = CuttableProxy(server.http_port)
+    proxy = PhpProxy(f"http://127.0.0.1:{line.port}", tmp_path, DRONEMAP_PHP_PATIENCE="10")
+    proxy.start()
+    try:
+        page = php_page(proxy, Pointer())
+        page.sign_in_by_key(php_pilot.api.new_key("cut", "operator"))
+        page.choose(copter["name"])
+        page.hold("Arm")
+        expect(page.button("Take off")).to_have_attribute("aria-disabled", "false")
+        page.page.get_by_label("Take-off height").fill("100")
+        page.hold("Take off")
+        expect(page.page.locator("#outcome-words")).to_contain_text("in the air")
+        line.cut()
+        expect(page.page.locator("#outcome-words")).to_contain_text(
+            re.compile(r"^No connection to the server\. Last heard: Take off")
+        )
+        line.restore()
+        expect(page.page.locator("#outcome-words")).to_contain_text(re.compile(r"^Take off"))
+    finally:
+        proxy.stop()
+        line.close()
+
+
 def test_draft_outlives_the_session(
     php_proxy: PhpProxy, php_page: OpenPage, php_pilot: Pilot, copter: Json
 ) -> None:

@@ -9,7 +9,7 @@ import { spanText } from './drone.js';
  * @typedef {import('./commands.js').Entry} Entry
  * @typedef {{
  *   commands: import('./commands.js').Commands, control: import('./control.js').Control,
- *   chosen(): Drone | null, now(): number,
+ *   chosen(): Drone | null, now(): number, whyNoCommand(): string | null,
  * }} Page
  */
 
@@ -78,10 +78,13 @@ export class Foot {
     }
     const isHint = this.hint !== '';
     const progress = isHint ? null : (entry?.progress ?? null);
-    const result = isHint ? this.#tone : progress ? RESULTS[progress.state] : (entry?.result ?? 'none');
+    // Nobody hears how the flight goes on: what stands there is what was heard last.
+    const unheard = progress?.state === 'goesOn' ? this.#page.whyNoCommand() : null;
+    const result = unheard !== null ? 'unknown' : isHint ? this.#tone : progress ? RESULTS[progress.state] : (entry?.result ?? 'none');
     setAttribute(byId('outcome'), 'data-result', result);
     setText(byId('outcome-symbol'), result === 'none' ? '' : (SYMBOLS[result] ?? '!'));
-    const told = progress ? `${entry?.label}: ${progress.words}` : outcomeText(entry);
+    const heard = unheard === null ? '' : `${unheard} Last heard: `;
+    const told = progress ? `${heard}${entry?.label}: ${progress.words}` : outcomeText(entry);
     setText(byId('outcome-words'), isHint ? this.hint : told);
     setText(byId('outcome-figures'), progress ? `${progress.figures}.` : '');
   }
