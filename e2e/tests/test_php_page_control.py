@@ -1,6 +1,6 @@
 """Control of a drone that the page of the PHP SOAP proxy flies does not end by mistake or unseen."""
 
-from playwright.sync_api import expect
+from playwright.sync_api import Route, expect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.php_page import OpenPage, PhpPage, Pilot
@@ -81,3 +81,38 @@ def test_control_that_ends_in_the_air_is_said(
     expect(alarm).to_be_empty()
     assert api.drone(copter["id"])["control"]["holder"] == php_pilot.name
     land(page, api, copter)
+
+
+def test_late_answer_about_control_that_has_ended_does_not_end_the_new_one(
+    php_proxy: PhpProxy, php_page: OpenPage, php_pilot: Pilot, api: Api, copter: Json
+) -> None:
+    """End to end because answers overtake one another between a browser and a server."""
+    page = php_page(php_proxy, Pointer())
+    page.sign_in(php_pilot.name, php_pilot.password)
+    page.choose(copter["name"])
+    page.press("Take control")
+    kept = page.page.get_by_text("You have control while this page is open")
+    expect(kept).to_be_visible()
+    late: list[Route] = []
+
+    def delay_the_first(route: Route) -> None:
+        if late:
+            route.fallback()
+        else:
+            late.append(route)
+
+    with page.page.expect_request("**/proxy.php?operation=keepControl"):
+        page.page.route("**/proxy.php?operation=keepControl", delay_the_first)
+    control = f"/drones/{copter['id']}/control"
+    assert api.call("POST", f"{control}/take-over", {"reason": "test"}).ok
+    expect(page.page.get_by_text("admin has control.")).to_be_visible()
+    assert api.call("DELETE", control).ok
+    page.press("Take control")
+    expect(kept).to_be_visible()
+
+    with page.page.expect_response("**/proxy.php?operation=keepControl") as answer:
+        late[0].continue_()
+    assert not answer.value.ok
+    with page.page.expect_response("**/proxy.php?operation=keepControl") as answer:
+        expect(kept).to_be_visible()
+    assert answer.value.ok

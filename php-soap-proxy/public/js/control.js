@@ -82,7 +82,7 @@ export class Control {
       try {
         const kept = await this.#api.call('keepControl', { droneId: drone, epoch });
         // After a restart of the server it is another one.
-        if (this.#kept.has(drone)) {
+        if (this.#isStill(drone, epoch)) {
           this.#kept.set(drone, kept.epoch);
         }
       } catch (error) {
@@ -90,9 +90,16 @@ export class Control {
           throw error;
         }
         // It has ended; who has it now is told with the drone.
-        this.#kept.delete(drone);
+        if (this.#isStill(drone, epoch)) {
+          this.#kept.delete(drone);
+        }
       }
     });
+  }
+
+  /** An answer may come after control has been taken anew. @param {string} drone @param {number} epoch */
+  #isStill(drone, epoch) {
+    return this.#kept.get(drone) === epoch;
   }
 
   /** @param {string} drone @param {() => Promise<unknown>} call */
