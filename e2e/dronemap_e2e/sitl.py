@@ -1,4 +1,4 @@
-"""A real ArduCopter in software, and a receiver of its true position; needs its binary."""
+"""Real ArduPilot vehicles in software, and a receiver of their true position; each needs its binary."""
 
 import os
 import socket
@@ -6,7 +6,7 @@ import subprocess
 import threading
 import time
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
@@ -14,10 +14,33 @@ from .api import Api
 from .ports import free_port
 from .runs import Track
 
-BINARY = os.environ.get("DRONEMAP_SITL_ARDUCOPTER")
+
+class Firmware(NamedTuple):
+    """One kind of ArduPilot: who names its binary, its model of physics, the defaults beside the binary."""
+
+    vehicle: str
+    setting: str
+    model: str
+    defaults: str
+
+    @property
+    def binary(self) -> str | None:
+        return os.environ.get(self.setting)
+
+    @property
+    def why_not(self) -> str:
+        return f"not proved: {self.setting} names no {self.vehicle} binary"
+
+
+COPTER = Firmware("ArduCopter", "DRONEMAP_SITL_ARDUCOPTER", "+", "copter.parm")
+PLANE = Firmware("ArduPlane", "DRONEMAP_SITL_ARDUPLANE", "plane", "plane.parm")
+QUADPLANE = Firmware("ArduPlane", "DRONEMAP_SITL_ARDUPLANE", "quadplane", "quadplane.parm")
+ROVER = Firmware("ArduRover", "DRONEMAP_SITL_ARDUROVER", "rover", "rover.parm")
 RECEIVER_SYSTEM_ID = 200
 ASK_EVERY_SECONDS = 2.0
 REPORT_MICROS = 100_000
+# A camera, of which ArduPilot has none by default.
+PARAMETERS = "CAM1_TYPE 1\n"
 
 
 class GroundTruthReceiver:
@@ -34,6 +57,7 @@ class GroundTruthReceiver:
         self._asked = 0.0
         self._lock = threading.Lock()
         self._positions: list[tuple[float, float, float, float]] = []
+        self._armed = False
         self._closed = False
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
@@ -51,6 +75,10 @@ class GroundTruthReceiver:
         with self._lock:
             return self._positions[-1][3]
 
+    def armed(self) -> bool:
+        """By the vehicle's own word, which the server does not hear."""
+        return self._armed
+
     def close(self) -> None:
         self._closed = True
         self._thread.join()
@@ -67,6 +95,9 @@ class GroundTruthReceiver:
 
     def _apply(self, message: Any, sender: tuple[str, int]) -> None:
         now = time.monotonic()
+        # It passes heartbeats of ground stations on.
+        if message.get_type() == "HEARTBEAT" and message.autopilot != mavlink.MAV_AUTOPILOT_INVALID:
+            self._armed = bool(message.base_mode & mavlink.MAV_MODE_FLAG_SAFETY_ARMED)
         if message.get_type() == "SIM_STATE":
             fix = (now, message.lat_int / 1e7, message.lon_int / 1e7, message.alt)
             with self._lock:
@@ -85,24 +116,28 @@ class GroundTruthReceiver:
             self._socket.sendto(asked.pack(self._encoder), sender)
 
 
-class ArduCopter:
-    """An ArduCopter process in a folder of its own; its second port goes to a ground truth receiver."""
+class Autopilot:
+    """An autopilot process in a folder of its own; its second port goes to a ground truth receiver."""
 
-    def __init__(self, folder: Path, server_port: int, system_id: int, home: str) -> None:
-        """`home`: degrees, degrees, metres above the sea, heading."""
-        binary = Path(str(BINARY))
+    def __init__(
+        self, firmware: Firmware, folder: Path, server_port: int, system_id: int, home: str, *more: str
+    ) -> None:
+        """`home`: degrees, degrees, metres above the sea, heading; `more`: arguments of the binary."""
+        binary = Path(str(firmware.binary))
         folder.mkdir(exist_ok=True)
+        own = folder / "own.parm"
+        own.write_text(PARAMETERS)
         self.ground_truth = GroundTruthReceiver()
         with (folder / "sitl.log").open("wb") as log:
             self._process = subprocess.Popen(
                 [
                     # Those of one instance number say that they are the same hardware.
                     *(str(binary), "-I", str(system_id), "--sysid", str(system_id)),
-                    *("--wipe", "--model", "+", "--speedup", "1"),
-                    *("--home", home, "--defaults", str(binary.parent / "copter.parm")),
+                    *("--wipe", "--model", firmware.model, "--speedup", "1"),
+                    *("--home", home, "--defaults", f"{binary.parent / firmware.defaults},{own}"),
                     *("--serial0", f"udpclient:127.0.0.1:{server_port}"),
                     *("--serial1", f"udpclient:127.0.0.1:{self.ground_truth.port}", "--serial2", "none"),
-                    *("--rc-in-port", str(free_port(socket.SOCK_DGRAM))),
+                    *("--rc-in-port", str(free_port(socket.SOCK_DGRAM)), *more),
                 ],
                 cwd=folder,
                 stdout=log,

@@ -108,10 +108,10 @@ def test_flight_over_tcp(server: Server, api: Api, tmp_path: Path) -> None:
         simulator.stop()
 
 
-@pytest.mark.skipif(sitl.BINARY is None, reason="DRONEMAP_SITL_ARDUCOPTER names no ArduCopter binary")
+@pytest.mark.skipif(sitl.COPTER.binary is None, reason=sitl.COPTER.why_not)
 def test_flight_with_real_autopilot(api: Api, recorder: MessageRecorder, tmp_path: Path) -> None:
     """End to end because ArduCopter itself flies."""
-    autopilot = sitl.ArduCopter(tmp_path / "sitl", recorder.port, 153, "47.3977,8.5456,488,0")
+    autopilot = sitl.Autopilot(sitl.COPTER, tmp_path / "sitl", recorder.port, 153, "47.3977,8.5456,488,0")
     try:
         drone = wait_for("it is ready", lambda: api.ready(153), 120)
         wait_for("it may fly", lambda: sitl.arms_and_enters_guided(api, drone["id"]), 90, every=3)

@@ -12,7 +12,7 @@ from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import EARTH_RADIUS_METERS
 from dronemap_e2e.runs import create_plan, distance, ready_drone, run_if_over, stages, waypoints_in_state
 from dronemap_e2e.server import Server
-from dronemap_e2e.sitl import ArduCopter
+from dronemap_e2e.sitl import Autopilot
 from dronemap_e2e.trajectories import Fix, nearest
 from dronemap_e2e.trajectories import Track as Way
 from dronemap_e2e.waiting import wait_for
@@ -35,14 +35,16 @@ def place(north: float, east: float) -> tuple[float, float]:
 
 
 @pytest.fixture
-def copters(own_server: Server, tmp_path: Path) -> Iterator[list[ArduCopter]]:
-    started: list[ArduCopter] = []
+def copters(own_server: Server, tmp_path: Path) -> Iterator[list[Autopilot]]:
+    started: list[Autopilot] = []
     try:
         for number in range(DRONES):
             latitude, longitude = place(0, (number - 1) * HOMES_APART_METRES)
             home = f"{latitude:.7f},{longitude:.7f},{HOME_AMSL},0"
             folder = tmp_path / f"copter-{number}"
-            started.append(ArduCopter(folder, own_server.udp_port, FIRST_SYSTEM_ID + number, home))
+            started.append(
+                Autopilot(sitl.COPTER, folder, own_server.udp_port, FIRST_SYSTEM_ID + number, home)
+            )
         yield started
     finally:
         for copter in started:
@@ -64,7 +66,7 @@ def waypoints() -> list[Json]:
     ]
 
 
-def local_track(copter: ArduCopter) -> Way:
+def local_track(copter: Autopilot) -> Way:
     """In metres about the middle home, by the clock of all."""
     return Way(
         [
@@ -81,10 +83,10 @@ def local_track(copter: ArduCopter) -> Way:
 
 
 @pytest.mark.soak
-@pytest.mark.skipif(sitl.BINARY is None, reason="DRONEMAP_SITL_ARDUCOPTER names no ArduCopter binary")
+@pytest.mark.skipif(sitl.COPTER.binary is None, reason=sitl.COPTER.why_not)
 @pytest.mark.parametrize("on_cloud_loss", ["rtl", "continue"])
 def test_run_replaces_real_autopilot_killed_in_the_air(
-    own_server: Server, copters: list[ArduCopter], on_cloud_loss: str
+    own_server: Server, copters: list[Autopilot], on_cloud_loss: str
 ) -> None:
     api = Api(own_server.address, own_server.local_key())
     drones = [

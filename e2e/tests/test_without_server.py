@@ -15,7 +15,7 @@ from dronemap_e2e.datagram_recorder import DatagramRecorder
 from dronemap_e2e.separation import fixes, nearest
 from dronemap_e2e.server import Server
 from dronemap_e2e.simulator import Simulator
-from dronemap_e2e.sitl import ArduCopter, arms_and_enters_guided
+from dronemap_e2e.sitl import Autopilot, arms_and_enters_guided
 from dronemap_e2e.waiting import wait_for
 from dronemap_e2e.walker import beside
 
@@ -128,7 +128,7 @@ def test_ten_copters_return_home_without_server(own_server: Server, tmp_path: Pa
 
 
 @pytest.mark.soak
-@pytest.mark.skipif(not sitl.BINARY, reason="not proved: DRONEMAP_SITL_ARDUCOPTER names no ArduCopter binary")
+@pytest.mark.skipif(sitl.COPTER.binary is None, reason=sitl.COPTER.why_not)
 def test_four_real_autopilots_return_home_without_server(own_server: Server, tmp_path: Path) -> None:
     """End to end because it is the firmware that decides to come home."""
     with ExitStack() as all_of_it:
@@ -136,7 +136,9 @@ def test_four_real_autopilots_return_home_without_server(own_server: Server, tmp
         for number in range(REAL):
             place = beside({"latitude": LATITUDE, "longitude": LONGITUDE}, number * HOMES_APART, 0)
             home = f"{place.latitude:.7f},{place.longitude:.7f},{HOME_AMSL},0"
-            copter = ArduCopter(tmp_path / f"copter-{number}", recorder.port, FIRST + number, home)
+            copter = Autopilot(
+                sitl.COPTER, tmp_path / f"copter-{number}", recorder.port, FIRST + number, home
+            )
             all_of_it.callback(copter.close)
         api = Api(own_server.address, own_server.local_key())
         drones = ready(api, REAL, 180)

@@ -1,0 +1,152 @@
+"""A drone whose vehicle is a real autopilot in software: commanded over REST, judged by its true position."""
+
+import contextlib
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+from .api import Api, Json
+from .flight import Point
+from .proofs import Proofs
+from .server import Server
+from .sitl import Autopilot, Firmware
+from .waiting import wait_for
+
+HOME = (47.3977, 8.5456, 488.0)
+READY_SECONDS = 120
+FLIGHT_SECONDS = 240
+
+
+class SitlDrone:
+    """One autopilot and its drone on a server."""
+
+    def __init__(self, api: Api, autopilot: Autopilot, drone: str, proofs: Proofs) -> None:
+        self.api = api
+        self.autopilot = autopilot
+        self.id = drone
+        self.proved = proofs.add
+
+    def state(self) -> Json:
+        return self.api.drone(self.id)
+
+    def do(self, **body: Any) -> Json:
+        return self.api.do(self.id, **body)
+
+    def keep(self, what: str, body: Json) -> None:
+        """Has the vehicle keep it, such as its fence."""
+        answer = self.api.call("PUT", f"/drones/{self.id}/{what}", body)
+        assert answer.ok, answer.text
+        record = self.api.ended(answer.json()["id"], 60)
+        assert record["outcome"]["result"] == "succeeded", record
+
+    def refused(self, **body: Any) -> str:
+        """The sentence by which it is refused, before or by the vehicle."""
+        answer = self.api.call("POST", f"/drones/{self.id}/commands?wait=60", body)
+        said: Json = answer.json()
+        if answer.ok:
+            assert said["outcome"]["result"] in ("refused", "failed"), said
+            return str(said["outcome"]["reason"])
+        assert answer.status_code in (409, 422), answer.text
+        return str(said["detail"])
+
+    def until(self, what: str, look: Callable[[Json], object], seconds: float = FLIGHT_SECONDS) -> Json:
+        """The state once that is so of it."""
+        seen: list[Json] = []
+
+        def now() -> bool:
+            seen.append(self.state())
+            return bool(look(seen[-1]))
+
+        try:
+            wait_for(what, now, seconds)
+        except AssertionError as error:
+            last = seen[-1]
+            texts = [message["text"] for message in last["messages"]]
+            raise AssertionError(f"{error}; mode {last['mode']}, {last['position']}, {texts}") from None
+        return seen[-1]
+
+    def becomes_ready(self) -> None:
+        self.until("it says that it may be armed", lambda d: d["readyToArm"] and d["home"], READY_SECONDS)
+
+    def height(self) -> float:
+        """Truly, above where it started."""
+        return self.autopilot.ground_truth.altitude() - HOME[2]
+
+    def away(self, point: Point) -> float:
+        """Metres, truly, over ground."""
+        _, latitude, longitude, _ = self.autopilot.ground_truth.positions()[-1]
+        return point.metres_to(latitude, longitude)
+
+    def nearest(self, point: Point) -> float:
+        """Metres at which it ever passed the point, truly, over ground."""
+        track = self.autopilot.ground_truth.track()
+        return min(point.metres_to(latitude, longitude) for latitude, longitude, _ in track)
+
+    def climbs_to(self, metres: float) -> None:
+        self.truly("it has climbed", lambda: self.height() > metres - 1, 60)
+
+    def truly(self, what: str, look: Callable[[], object], seconds: float = FLIGHT_SECONDS) -> None:
+        """Waits for what its true state tells."""
+        wait_for(what, lambda: look() or None, seconds)
+
+    def comes_to(self, point: Point, metres: float, seconds: float = FLIGHT_SECONDS) -> None:
+        self.truly(f"it is at {point}", lambda: self.away(point) <= metres, seconds)
+
+    def is_down(self) -> None:
+        """On the ground with its motors off, by its own word and truly."""
+        self.truly("its motors are off", lambda: not self.autopilot.ground_truth.armed())
+        assert abs(self.height()) < 2, f"{self.height():.1f} m above where it started"
+
+    def upload(self, items: list[Json]) -> None:
+        self.do(type="uploadMission", items=items)
+
+    def reached(self) -> list[int]:
+        """Numbers of the mission's items, in the order in which they were reached."""
+        numbers: list[int] = self.state()["mission"]["reached"]
+        return numbers
+
+
+@contextlib.contextmanager
+def sitl_drone(
+    firmware: Firmware, name: str, system_id: int, folder: Path, *more: str
+) -> Iterator[SitlDrone]:
+    """A server of its own and an autopilot from power-up on, listed; `name`: of its column in the table."""
+    server = Server(folder / "data")
+    server.start()
+    home = f"{HOME[0]},{HOME[1]},{HOME[2]},0"
+    autopilot = Autopilot(firmware, folder / "sitl", server.udp_port, system_id, home, *more)
+    try:
+        api = Api(server.address, server.local_key())
+
+        def listed() -> Json | None:
+            return next(
+                (d for d in api.drones() if d["link"]["systemId"] == system_id and d["firmware"]), None
+            )
+
+        drone = wait_for("it is listed with its firmware", listed, 60)
+        proofs = Proofs(name)
+        proofs.begin(f"{firmware.vehicle} {drone['firmware']}")
+        yield SitlDrone(api, autopilot, drone["id"], proofs)
+    finally:
+        autopilot.close()
+        server.stop()
+
+
+def place(north: float, east: float, altitude: float = 0.0) -> Point:
+    """Metres from where the autopilots start, and metres above it."""
+    latitude = HOME[0] + north / 111_195
+    return Point(latitude, HOME[1] + east / (111_195 * 0.67694), altitude)
+
+
+def waypoint(point: Point, **more: Any) -> Json:
+    where = {"latitude": point.latitude, "longitude": point.longitude, "altitude": point.altitude}
+    return {"type": "waypoint", **where, **more}
+
+
+def go_to(point: Point) -> Json:
+    return {
+        "type": "goTo",
+        "latitude": point.latitude,
+        "longitude": point.longitude,
+        "altitude": point.altitude,
+    }

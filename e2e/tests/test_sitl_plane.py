@@ -1,0 +1,111 @@
+"""A real ArduPlane does at the first try what a drone of its kind is told, and comes down where it should."""
+
+from collections.abc import Iterator
+
+import pytest
+
+from dronemap_e2e import sitl
+from dronemap_e2e.sitl_drone import SitlDrone, go_to, place, sitl_drone, waypoint
+
+pytestmark = [
+    pytest.mark.soak,
+    pytest.mark.skipif(sitl.PLANE.binary is None, reason=sitl.PLANE.why_not),
+]
+FLYING_METRES = 60.0
+NORTH = place(600, 0, FLYING_METRES)
+EAST = place(600, 500, FLYING_METRES)
+ROUND_METRES = 150.0
+RUNWAY = place(0, 0)
+RUNWAY_METRES = 150.0
+
+
+@pytest.fixture(scope="module")
+def plane(tmp_path_factory: pytest.TempPathFactory) -> Iterator[SitlDrone]:
+    with sitl_drone(sitl.PLANE, "Plane", 63, tmp_path_factory.mktemp("plane")) as drone:
+        yield drone
+
+
+def test_once_it_says_that_it_is_ready_it_arms(plane: SitlDrone) -> None:
+    plane.becomes_ready()
+    plane.do(type="arm")
+    plane.do(type="disarm")
+    plane.proved("Arm, disarm")
+    seen = plane.state()
+    assert (seen["vehicle"], seen["kind"]) == ("ArduPlane", "fixedWing")
+    plane.proved("Listed with its name, mode, place and battery")
+
+
+def test_what_it_cannot_says_how_it_can(plane: SitlDrone) -> None:
+    for body in ({"type": "takeOff", "altitude": 30}, {"type": "land"}):
+        sentence = plane.refused(**body)
+        assert "mission" in sentence, sentence
+    plane.proved("Take off", "by mission")
+    plane.proved("Land", "by mission")
+    plane.proved("Turn on the spot", "no")
+
+
+def test_landing_nowhere_and_holds_are_refused_before_anything_is_sent(plane: SitlDrone) -> None:
+    before = plane.state()["mission"]["items"]
+    climb = {"type": "takeOff", "altitude": FLYING_METRES}
+    sentence = plane.refused(type="uploadMission", items=[climb, waypoint(NORTH), {"type": "land"}])
+    assert "latitude" in sentence or "place" in sentence, sentence
+    sentence = plane.refused(type="uploadMission", items=[climb, waypoint(NORTH, holdSeconds=5)])
+    assert "holdSeconds" in sentence, sentence
+    assert plane.state()["mission"]["items"] == before
+
+
+def test_mission_with_a_landing(plane: SitlDrone) -> None:
+    items = [
+        {"type": "takeOff", "altitude": FLYING_METRES},
+        waypoint(NORTH),
+        {"type": "takePhoto"},
+        {"type": "setServo", "output": 9, "pulse": 1500},
+        {"type": "lookAt", "latitude": NORTH.latitude, "longitude": NORTH.longitude, "altitude": 0},
+        waypoint(EAST),
+        {"type": "lookAhead"},
+        {"type": "land", "latitude": RUNWAY.latitude, "longitude": RUNWAY.longitude},
+    ]
+    plane.becomes_ready()
+    plane.upload(items)
+    plane.do(type="arm")
+    plane.do(type="startMission")
+    plane.truly("it climbs", lambda: plane.height() > 30, 90)
+    plane.proved("Mission: take off")
+    plane.do(type="pauseMission")
+    plane.until("it circles", lambda d: d["mode"] == "LOITER", 30)
+    plane.do(type="startMission")
+    plane.truly("it has landed", lambda: not plane.autopilot.ground_truth.armed(), 400)
+    assert abs(plane.height()) < 2
+    assert plane.away(RUNWAY) < RUNWAY_METRES
+    assert plane.nearest(NORTH) < ROUND_METRES
+    assert plane.nearest(EAST) < ROUND_METRES
+    plane.proved("Mission: land")
+    plane.proved("Mission: look at a place, look ahead")
+    plane.proved("Mission paused and continued")
+    plane.do(type="clearMission")
+    plane.proved("Mission sent, read back the same, cleared")
+
+
+def test_flight_by_commands(plane: SitlDrone) -> None:
+    plane.becomes_ready()
+    plane.upload(
+        [{"type": "takeOff", "altitude": FLYING_METRES}, waypoint(NORTH), {"type": "returnToLaunch"}]
+    )
+    plane.do(type="arm")
+    plane.do(type="startMission")
+    plane.truly("it climbs", lambda: plane.height() > 40, 90)
+    plane.do(**go_to(EAST))
+    plane.comes_to(EAST, ROUND_METRES)
+    plane.proved("Go to a place")
+    plane.do(type="changeSpeed", metersPerSecond=15)
+    plane.until("it flies as slowly as told", lambda d: 13 < d["motion"]["airSpeed"] < 17, 40)
+    plane.proved("Change speed")
+    plane.do(type="hold")
+    assert plane.state()["mode"] == "LOITER"
+    plane.proved("Hold", "circles")
+    plane.do(type="setMode", mode="CIRCLE")
+    plane.proved("Change the mode")
+    plane.do(type="returnToLaunch")
+    plane.comes_to(RUNWAY, ROUND_METRES)
+    plane.proved("Return home", "circles there")
+    assert plane.autopilot.ground_truth.armed()
