@@ -40,15 +40,14 @@ JOBS = (
 class Proofs:
     """The lines of one vehicle. Without a file in DRONEMAP_PROOFS nothing is written."""
 
-    def __init__(self, vehicle: str) -> None:
+    def __init__(self, vehicle: str, firmware: str) -> None:
         self._vehicle = vehicle
+        self._firmware = firmware
         named = os.environ.get(SETTING)
         self._file = ROOT / named if named else None
-        self._firmware = ""
 
-    def begin(self, firmware: str) -> None:
+    def begin(self) -> None:
         """What was proved of this vehicle before counts for nothing."""
-        self._firmware = firmware
         self._write([line for line in self._read() if line[0] != self._vehicle])
 
     def add(self, job: str, how: str = "yes") -> None:

@@ -3,7 +3,7 @@
 import contextlib
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from .api import Api, Json
 from .flight import Point
@@ -24,6 +24,7 @@ class SitlDrone:
         self.api = api
         self.autopilot = autopilot
         self.id = drone
+        self.proofs = proofs
         self.proved = proofs.add
 
     def state(self) -> Json:
@@ -106,30 +107,51 @@ class SitlDrone:
         return numbers
 
 
+class Column(NamedTuple):
+    """Of the table: a kind of vehicle, and the system id of the one that is flown."""
+
+    name: str
+    firmware: Firmware
+    system_id: int
+
+
 @contextlib.contextmanager
-def sitl_drone(
-    firmware: Firmware, name: str, system_id: int, folder: Path, *more: str
-) -> Iterator[SitlDrone]:
-    """A server of its own and an autopilot from power-up on, listed; `name`: of its column in the table."""
+def sitl_drones(folder: Path, columns: list[Column], apart_metres: float = 0) -> Iterator[list[SitlDrone]]:
+    """A server of its own and autopilots from power-up on, side by side, each listed with its firmware."""
     server = Server(folder / "data")
     server.start()
-    home = f"{HOME[0]},{HOME[1]},{HOME[2]},0"
-    autopilot = Autopilot(firmware, folder / "sitl", server.udp_port, system_id, home, *more)
+    autopilots: list[Autopilot] = []
     try:
+        for number, (_, firmware, system_id) in enumerate(columns):
+            at = place(0, number * apart_metres)
+            home = f"{at.latitude:.7f},{at.longitude:.7f},{HOME[2]},0"
+            own = folder / f"vehicle-{system_id}"
+            autopilots.append(Autopilot(firmware, own, server.udp_port, system_id, home))
         api = Api(server.address, server.local_key())
-
-        def listed() -> Json | None:
-            return next(
-                (d for d in api.drones() if d["link"]["systemId"] == system_id and d["firmware"]), None
-            )
-
-        drone = wait_for("it is listed with its firmware", listed, 60)
-        proofs = Proofs(name)
-        proofs.begin(f"{firmware.vehicle} {drone['firmware']}")
-        yield SitlDrone(api, autopilot, drone["id"], proofs)
+        yield [_listed(api, one, column) for one, column in zip(autopilots, columns, strict=True)]
     finally:
-        autopilot.close()
+        for autopilot in autopilots:
+            autopilot.close()
         server.stop()
+
+
+def _listed(api: Api, autopilot: Autopilot, column: Column) -> SitlDrone:
+    def look() -> Json | None:
+        return next(
+            (d for d in api.drones() if d["link"]["systemId"] == column.system_id and d["firmware"]), None
+        )
+
+    drone = wait_for("it is listed with its firmware", look, 60)
+    proofs = Proofs(column.name, f"{column.firmware.vehicle} {drone['firmware']}")
+    return SitlDrone(api, autopilot, drone["id"], proofs)
+
+
+@contextlib.contextmanager
+def sitl_drone(folder: Path, column: Column) -> Iterator[SitlDrone]:
+    """One alone; what was proved of its kind before counts for nothing."""
+    with sitl_drones(folder, [column]) as (drone,):
+        drone.proofs.begin()
+        yield drone
 
 
 def place(north: float, east: float, altitude: float = 0.0) -> Point:

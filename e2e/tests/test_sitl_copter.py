@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pytest
 
 from dronemap_e2e import sitl
-from dronemap_e2e.sitl_drone import SitlDrone, go_to, place, sitl_drone, waypoint
+from dronemap_e2e.sitl_drone import Column, SitlDrone, go_to, place, sitl_drone, waypoint
 
 pytestmark = [
     pytest.mark.soak,
@@ -19,7 +19,7 @@ HOME_MOVED = place(1, 1)
 
 @pytest.fixture(scope="module")
 def copter(tmp_path_factory: pytest.TempPathFactory) -> Iterator[SitlDrone]:
-    with sitl_drone(sitl.COPTER, "Copter", 61, tmp_path_factory.mktemp("copter")) as drone:
+    with sitl_drone(tmp_path_factory.mktemp("copter"), Column("Copter", sitl.COPTER, 61)) as drone:
         yield drone
 
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pytest
 
 from dronemap_e2e import sitl
-from dronemap_e2e.sitl_drone import SitlDrone, go_to, place, sitl_drone, waypoint
+from dronemap_e2e.sitl_drone import Column, SitlDrone, go_to, place, sitl_drone, waypoint
 
 pytestmark = [
     pytest.mark.soak,
@@ -21,7 +21,7 @@ RUNWAY_METRES = 150.0
 
 @pytest.fixture(scope="module")
 def plane(tmp_path_factory: pytest.TempPathFactory) -> Iterator[SitlDrone]:
-    with sitl_drone(sitl.PLANE, "Plane", 63, tmp_path_factory.mktemp("plane")) as drone:
+    with sitl_drone(tmp_path_factory.mktemp("plane"), Column("Plane", sitl.PLANE, 63)) as drone:
         yield drone
 
 

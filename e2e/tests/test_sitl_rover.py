@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pytest
 
 from dronemap_e2e import sitl
-from dronemap_e2e.sitl_drone import SitlDrone, go_to, place, sitl_drone, waypoint
+from dronemap_e2e.sitl_drone import Column, SitlDrone, go_to, place, sitl_drone, waypoint
 
 pytestmark = [
     pytest.mark.soak,
@@ -18,7 +18,7 @@ REACHED_METRES = 4.0
 
 @pytest.fixture(scope="module")
 def rover(tmp_path_factory: pytest.TempPathFactory) -> Iterator[SitlDrone]:
-    with sitl_drone(sitl.ROVER, "Rover", 62, tmp_path_factory.mktemp("rover")) as drone:
+    with sitl_drone(tmp_path_factory.mktemp("rover"), Column("Rover", sitl.ROVER, 62)) as drone:
         yield drone
 
 
