@@ -1,9 +1,10 @@
 """Reads scripts/trials.toml: the trials that are declared, and the units of each."""
 
+import os
 import re
 import shlex
 import tomllib
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,7 @@ KEYS: dict[str, type | tuple[type, ...]] = {
     "files": str,
     "except": list,
     "busy": int,
-    "needs": str,
+    "needs": (str, dict),
 }
 
 
@@ -38,7 +39,13 @@ class Trial:
     run: str
     units: list[str]
     busy: int = 0
-    needs: str | None = None
+    # An environment variable by unit; those that are not here need none.
+    needs: dict[str, str] = field(default_factory=dict)
+
+    def missing_setting(self, unit: str) -> str | None:
+        """The environment variable without which the unit would prove nothing."""
+        setting = self.needs.get(unit)
+        return setting if setting is not None and not os.environ.get(setting) else None
 
     def command(self, unit: str) -> list[str]:
         return [word.replace("{unit}", unit) for word in shlex.split(self.run)]
@@ -71,7 +78,19 @@ def parse_trial(name: str, entry: dict[str, Any], root: Path) -> Trial:
     units = parse_units(name, entry, root)
     if not units or len(set(units)) != len(units) or any(re.search(r"\s", unit) for unit in units):
         raise TrialRefused(f"The trial '{name}' needs units, each of them once and without spaces.")
-    return Trial(name, entry["says"], entry["run"], units, entry.get("busy", 0), entry.get("needs"))
+    return Trial(
+        name, entry["says"], entry["run"], units, entry.get("busy", 0), parse_needs(name, entry, units)
+    )
+
+
+def parse_needs(name: str, entry: dict[str, Any], units: list[str]) -> dict[str, str]:
+    needs = entry.get("needs", {})
+    if isinstance(needs, str):
+        return dict.fromkeys(units, needs)
+    for unit, setting in needs.items():
+        if unit not in units or not isinstance(setting, str):
+            raise TrialRefused(f"The trial '{name}' has needs of '{unit}', which is none of its units.")
+    return dict(needs)
 
 
 def load_trials(root: Path) -> dict[str, Trial]:

@@ -8,7 +8,6 @@ on where it was; no unit is run twice, whatever came of it. docs/trials/NAME.tsv
 """
 
 import argparse
-import os
 import re
 import signal
 import sys
@@ -33,7 +32,8 @@ def run_missing_units(state: TrialState, minutes: float) -> None:
     """Runs units until all are done, or until the next one would probably not end in time; at least one."""
     trial, until = state.trial, time.monotonic() + 60 * minutes
     lock = state.root / ".tools" / "lock"
-    for number, unit in enumerate(state.missing):
+    provable = [unit for unit in state.missing if trial.missing_setting(unit) is None]
+    for number, unit in enumerate(provable):
         longest = max((float(one.seconds) for one in state.finished.values()), default=0)
         if number and time.monotonic() + longest > until:
             print(f"The time is over; run the same command again to go on with unit {unit}.")
@@ -65,8 +65,15 @@ def list_all(trials: dict[str, Trial], root: Path) -> int:
 
 
 def run_one(trial: Trial, root: Path, minutes: float, again: bool) -> int:
-    if trial.needs is not None and not os.environ.get(trial.needs):
-        raise TrialRefused(f"The trial '{trial.name}' needs {trial.needs}. See docs/settings.md")
+    settings = [trial.missing_setting(unit) for unit in trial.units]
+    if None not in settings:
+        needed = " or ".join(sorted({str(setting) for setting in settings}))
+        raise TrialRefused(f"Not proved: the trial '{trial.name}' needs {needed}. See docs/settings.md")
+    for unit, setting in zip(trial.units, settings, strict=True):
+        if setting is not None:
+            print_error(
+                f"The unit {unit} is left out and not proved: it needs {setting}. See docs/settings.md"
+            )
     state = TrialState(trial, root)
     with exclusive_lock(state.file.with_suffix(".lock"), f"The trial '{trial.name}' is being run already."):
         if again:

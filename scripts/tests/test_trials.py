@@ -38,6 +38,12 @@ files = "tests/*.py"
 except = ["tests/no.py"]
 needs = "SOMETHING_THAT_IS_NOT_THERE"
 
+[some]
+says = "A unit that needs something."
+run = "sh unit.sh {unit}"
+units = ["a", "b"]
+needs = { b = "SOMETHING_THAT_IS_NOT_THERE" }
+
 [nothing]
 says = "A program that is not there."
 run = "./no-such-program"
@@ -292,6 +298,14 @@ def test_files_are_units_except_excluded_ones(
     ]
 
 
+def test_unit_without_what_it_needs_is_not_proved(trial_checkout: TrialCheckout) -> None:
+    outcome = trial_checkout.run("some")
+    assert outcome.returncode == 0
+    assert "The unit b is left out and not proved: it needs SOMETHING_THAT_IS_NOT_THERE" in outcome.stderr
+    assert trial_checkout.ran == ["a"]
+    assert "1 of 2" in outcome.stdout
+
+
 def test_missing_command_is_not_a_failed_unit(trial_checkout: TrialCheckout) -> None:
     outcome = trial_checkout.run("nothing")
     assert outcome.returncode == 1
@@ -345,6 +359,7 @@ def test_wrong_use_is_answered_with_a_sentence(
         ('[a]\nsays = "x"\nrun = "y"\nunits = "1-2"\nbusy = "much"', "has 'busy = much'"),
         ('[a]\nsays = "x"\nrun = "y"\nunits = "1-2"\ncolour = 1', "has 'colour = 1'"),
         ('["../a"]\nsays = "x"\nrun = "y"\nunits = "1-2"', "must have a name of small letters"),
+        ('[a]\nsays = "x"\nrun = "y"\nunits = ["b"]\nneeds = { c = "D" }', "has needs of 'c'"),
         ("[a", "is not readable"),
     ],
 )
@@ -362,10 +377,17 @@ def is_marked(node: ast.AST) -> bool:
     return any(isinstance(part, ast.Attribute) and part.attr == "soak" for part in ast.walk(node))
 
 
+def _is_mark(node: ast.Assign) -> bool:
+    return any(isinstance(target, ast.Name) and target.id == "pytestmark" for target in node.targets)
+
+
 def kinds_of(file: Path) -> tuple[bool, bool]:
     """Kinds of tests in a file: ordinary ones, long ones."""
     ordinary = long = False
-    for node in ast.walk(ast.parse(file.read_text())):
+    module = ast.parse(file.read_text())
+    if any(isinstance(node, ast.Assign) and _is_mark(node) and is_marked(node.value) for node in module.body):
+        return False, True
+    for node in ast.walk(module):
         if isinstance(node, ast.FunctionDef) and node.name.startswith("test_"):
             direct = any(isinstance(mark, ast.Attribute) and is_marked(mark) for mark in node.decorator_list)
             ordinary |= not direct
@@ -385,6 +407,11 @@ def test_each_file_with_long_tests_has_a_trial() -> None:
     ]
     long = [path for path in python if kinds_of(path)[1]]
     assert len(long) > 20 and len(java) > 4
+    commands += [
+        " ".join(trial.command(unit))
+        for trial in trial_table.load_trials(ROOT).values()
+        for unit in trial.units
+    ]
     for path in [str(file.relative_to(ROOT)) for file in long] + [f"/{file.name}" for file in java]:
         assert any(command.endswith(f" {path}::") for command in commands), path
     assert any(command.endswith("--only dronemap-archive/") for command in commands)

@@ -46,6 +46,7 @@ SECTIONS = (
             Named("Dronemap", "README.md"),
             "docs/what-it-is.md",
             "docs/user-guide.md",
+            "docs/vehicles.md",
             "docs/follow.md",
             "docs/outlet.md",
             "docs/troubleshooting.md",

@@ -45,6 +45,7 @@ ANSWERS = (
     "docs/settings.md",
     "docs/times.md",
     "docs/troubleshooting.md",
+    "docs/vehicles.md",
     "docs/what-it-is.md",
 )
 
