@@ -12,6 +12,7 @@ import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.CommandLong;
+import org.dronemap.mavlink.message.ExtendedSysState;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.CommandSendTimes;
@@ -43,7 +44,8 @@ final class AutopilotChannel {
     private final Consumer<DroneEvent> news;
     private final LongSupplier nanoTime;
     private final MavlinkTarget target;
-    private final AutopilotAdapter autopilot;
+    private final int family;
+    private AutopilotAdapter autopilot;
     private final VehicleStatus status;
     private final TelemetryTranslator telemetry;
     private final ParameterTable parameters;
@@ -71,6 +73,7 @@ final class AutopilotChannel {
         Heartbeat heartbeat = Heartbeat.decode(first);
         target = new MavlinkTarget(
                 first.systemId(), first.componentId(), links::send, links::roundTrip, new CommandSendTimes());
+        family = heartbeat.autopilot();
         autopilot = AutopilotAdapter.of(heartbeat);
         status = new VehicleStatus(heartbeat.type(), anyNumber(nanoTime.getAsLong()));
         telemetry = new TelemetryTranslator(autopilot, status, this::publish);
@@ -107,8 +110,18 @@ final class AutopilotChannel {
 
     /** The autopilot of a recording said something. */
     void replayed(Frame frame, long now) {
+        if (frame.messageId() == ExtendedSysState.ID) {
+            autopilot.typeBy(ExtendedSysState.decode(frame)).ifPresent(this::becomes);
+        }
         telemetry.received(frame, now);
         parameters.received(frame);
+    }
+
+    /** Its heartbeats say less than it is. */
+    private void becomes(int type) {
+        status.type(type);
+        autopilot = AutopilotAdapter.of(family, type);
+        telemetry.becomes(autopilot);
     }
 
     /** The autopilot said something. */

@@ -4,6 +4,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
@@ -20,6 +21,7 @@ import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.CommandInt;
+import org.dronemap.mavlink.message.ExtendedSysState;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.Wind;
 import org.dronemap.proxy.mavlink.procedure.CommandExchange;
@@ -42,6 +44,7 @@ final class ArduPilotAdapter implements AutopilotAdapter {
     private static final float RELATIVE = 1f;
     private static final int FRAME_RELATIVE = 6;
     private static final int FRAME_GLOBAL = 5;
+    private static final int VTOL_STATE_UNDEFINED = 0;
     private static final int STANDBY = 3;
     private static final int ACTIVE = 4;
     static final int HOME_ITEMS = 1;
@@ -89,6 +92,14 @@ final class ArduPilotAdapter implements AutopilotAdapter {
             case AIRSHIP -> ArduPilotModeTable.BLIMP;
             case UNKNOWN -> ArduPilotModeTable.EMPTY;
         };
+    }
+
+    /** A QuadPlane calls itself a fixed wing unless its owner has set Q_MAV_TYPE; only it has a state of that. */
+    @Override
+    public OptionalInt typeBy(ExtendedSysState state) {
+        return kind == VehicleKind.FIXED_WING && state.vtolState() != VTOL_STATE_UNDEFINED
+                ? OptionalInt.of(VehicleType.VTOL_FIXED_ROTOR)
+                : OptionalInt.empty();
     }
 
     @Override

@@ -3,11 +3,13 @@ package org.dronemap.proxy.mavlink.translate;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.message.ExtendedSysState;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
 import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
@@ -20,11 +22,21 @@ import org.jspecify.annotations.Nullable;
 public interface AutopilotAdapter {
     /** The family of a MAV_AUTOPILOT number. */
     static AutopilotAdapter of(Heartbeat heartbeat) {
-        return switch (heartbeat.autopilot()) {
-            case 3 -> new ArduPilotAdapter(heartbeat.type());
-            case 12 -> new Px4Adapter(heartbeat.type());
-            default -> new UnknownAutopilotAdapter(heartbeat.autopilot());
+        return of(heartbeat.autopilot(), heartbeat.type());
+    }
+
+    /** The same of a MAV_AUTOPILOT and a MAV_TYPE. */
+    static AutopilotAdapter of(int autopilot, int type) {
+        return switch (autopilot) {
+            case 3 -> new ArduPilotAdapter(type);
+            case 12 -> new Px4Adapter(type);
+            default -> new UnknownAutopilotAdapter(autopilot);
         };
+    }
+
+    /** The MAV_TYPE that a vehicle is by what it tells besides its heartbeats; empty: the one that they say. */
+    default OptionalInt typeBy(ExtendedSysState state) {
+        return OptionalInt.empty();
     }
 
     /** The name users know, such as ArduPilot. */

@@ -28,7 +28,7 @@ import org.jspecify.annotations.Nullable;
  * Owned by the drone's lane.
  */
 public final class TelemetryTranslator {
-    private final AutopilotAdapter autopilot;
+    private AutopilotAdapter autopilot;
     private final VehicleStatus status;
     private final Consumer<DroneEvent> out;
     private final TelemetryDecoder readings = new TelemetryDecoder();
@@ -101,6 +101,12 @@ public final class TelemetryTranslator {
 
     public void advance(long nowNanos) {
         texts.advance(nowNanos);
+    }
+
+    /** The vehicle has turned out to be of another type: says who it is. */
+    public void becomes(AutopilotAdapter other) {
+        autopilot = other;
+        identified();
     }
 
     /** Says who the vehicle is and what it can do. */

@@ -17,7 +17,7 @@ public final class VehicleStatus {
     private static final int ARMED_FLAG = 128;
     private static final double CLEARLY_ABOVE_METERS = 1;
 
-    private final int type;
+    private int type;
     private @Nullable Heartbeat heartbeat;
     private @Nullable AutopilotVersion version;
     private @Nullable String mode;
@@ -45,6 +45,11 @@ public final class VehicleStatus {
 
     public int type() {
         return type;
+    }
+
+    /** The vehicle has turned out to be of another type than its heartbeats say. */
+    public void type(int found) {
+        type = found;
     }
 
     public boolean armed() {

@@ -14,6 +14,7 @@ public final class VehicleType {
     static final int GROUND_ROVER = 10;
     static final int SURFACE_BOAT = 11;
     static final int SUBMARINE = 12;
+    static final int VTOL_FIXED_ROTOR = 22;
     private static final int AUTOPILOT_INVALID = 8;
     private static final Set<Integer> OTHER_VEHICLES = Set.of(8, 9, 16, 17, 28, 45, 46);
 
