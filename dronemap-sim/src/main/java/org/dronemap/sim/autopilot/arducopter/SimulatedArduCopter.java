@@ -12,6 +12,8 @@ import org.dronemap.sim.autopilot.MissionProtocolStyle;
 import org.dronemap.sim.autopilot.SimulatedAutopilot;
 import org.dronemap.sim.autopilot.SimulatedCommandResult;
 import org.dronemap.sim.autopilot.SimulatedPayload;
+import org.dronemap.sim.autopilot.items.ArduPilotItemStorage;
+import org.dronemap.sim.autopilot.items.MissionItemStorage;
 import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.SimulatedMission;
@@ -22,6 +24,7 @@ import org.dronemap.sim.flight.TextSeverity;
  * A simulated ArduCopter: arming checks, flight modes and fail-safes. Orders are taken apart by {@link CopterCommands}.
  */
 public final class SimulatedArduCopter implements SimulatedAutopilot {
+    private static final MissionItemStorage ITEMS = ArduPilotItemStorage.of("copter");
     private static final MissionProtocolStyle STYLE =
             new MissionProtocolStyle(true, true, false, 1_000, 8_000, 650, true);
     private static final long FIRMWARE = 4L << 24 | 5 << 16 | 5 << 8 | 255;
@@ -338,6 +341,11 @@ public final class SimulatedArduCopter implements SimulatedAutopilot {
     @Override
     public MissionProtocolStyle missionStyle() {
         return STYLE;
+    }
+
+    @Override
+    public MissionItemStorage missionItems() {
+        return ITEMS;
     }
 
     @Override
