@@ -50,8 +50,10 @@ final class SimulatedFleetBuilder {
         LocalFrame place = options.home().shifted(new NeuPosition(row * SPACING_METERS, column * SPACING_METERS, 0));
         long seed = options.seed() * 1_000_003 + index;
         double towards = (options.seed() & 7) * Math.PI / 4;
+        AutopilotKind kind = kind(index);
         SimulatedCraft craft = new SimulatedCraft(
                 place,
+                kind.body().get(),
                 new BatteryModel(BATTERY_MILLIAMP_HOURS),
                 new WindModel(options.windSpeed(), towards, seed),
                 new NavigationEstimator((long) (options.readyAfterSeconds() * 1000)));
@@ -66,7 +68,7 @@ final class SimulatedFleetBuilder {
                 options.usb(),
                 options.parameters(),
                 options.presets());
-        SimulatedVehicle vehicle = new SimulatedVehicle(settings, kind(index), craft, link);
+        SimulatedVehicle vehicle = new SimulatedVehicle(settings, kind, craft, link);
         if (options.asleep()) {
             vehicle.silence(FOR_GOOD_MILLIS);
         }

@@ -6,8 +6,8 @@ import org.dronemap.mavlink.message.ManualControl;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
 import org.dronemap.sim.physics.LocalFrame;
-import org.dronemap.sim.physics.MulticopterBody;
 import org.dronemap.sim.physics.NeuPosition;
+import org.dronemap.sim.physics.VehicleBody;
 import org.junit.jupiter.api.Test;
 
 /** An ArduCopter that is steered by speeds and led by places in GUIDED, and by a ground station's sticks in LOITER. */
@@ -21,7 +21,7 @@ class CopterSteeringTest {
     private static final int SPEEDS_AND_TURN = 0x5C7;
 
     private final VehicleTestBench bench = VehicleTestBench.flying(20);
-    private final MulticopterBody body = bench.vehicle.craft().body();
+    private final VehicleBody body = bench.vehicle.craft().body();
 
     @Test
     void fliesWithTheSpeedThatItIsToldAndStopsThreeSecondsAfterTheLast() {

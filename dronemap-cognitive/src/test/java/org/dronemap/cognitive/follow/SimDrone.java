@@ -18,8 +18,8 @@ import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.physics.Airframe;
 import org.dronemap.sim.physics.BatteryModel;
 import org.dronemap.sim.physics.LocalFrame;
-import org.dronemap.sim.physics.MulticopterBody;
 import org.dronemap.sim.physics.NeuPosition;
+import org.dronemap.sim.physics.VehicleBody;
 import org.dronemap.sim.physics.WindModel;
 
 /** A simulated ArduCopter in the air, told by real frames where to be, on a clock that the trial turns. */
@@ -113,7 +113,7 @@ final class SimDrone implements TestCopter {
 
     @Override
     public DroneFix whereabouts(Instant at) {
-        MulticopterBody body = craft.body();
+        VehicleBody body = craft.body();
         NeuPosition here = body.position();
         return new DroneFix(
                 at,

@@ -13,8 +13,8 @@ import org.dronemap.mavlink.message.NamedValueFloat;
 import org.dronemap.mavlink.message.ServoOutputRaw;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.physics.LocalFrame;
-import org.dronemap.sim.physics.MulticopterBody;
 import org.dronemap.sim.physics.NeuPosition;
+import org.dronemap.sim.physics.VehicleBody;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -123,7 +123,7 @@ public final class SimulatedPayload {
 
     /** What ArduPilot says of the last picture. */
     public Message feedback(SimulatedCraft craft, long timeMicros) {
-        MulticopterBody body = craft.body();
+        VehicleBody body = craft.body();
         LocalFrame frame = craft.frame();
         return new CameraFeedback(
                 timeMicros,

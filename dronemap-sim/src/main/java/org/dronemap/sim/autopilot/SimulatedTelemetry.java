@@ -18,8 +18,8 @@ import org.dronemap.mavlink.message.Wind;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.SimulatedParameters;
 import org.dronemap.sim.physics.LocalFrame;
-import org.dronemap.sim.physics.MulticopterBody;
 import org.dronemap.sim.physics.NeuPosition;
+import org.dronemap.sim.physics.VehicleBody;
 import org.jspecify.annotations.Nullable;
 
 /** Builds the telemetry messages of a simulated vehicle from its state. */
@@ -111,7 +111,7 @@ public final class SimulatedTelemetry {
 
     private GpsRawInt gps(long nowMillis) {
         boolean fix = craft.navigation().hasFix();
-        MulticopterBody body = craft.body();
+        VehicleBody body = craft.body();
         NeuPosition here = body.position();
         LocalFrame frame = craft.frame();
         int altitude = fix ? (int) Math.round(frame.altitudeOf(here) * 1000) : 0;
@@ -144,7 +144,7 @@ public final class SimulatedTelemetry {
     }
 
     private Attitude attitude(long nowMillis) {
-        MulticopterBody body = craft.body();
+        VehicleBody body = craft.body();
         return new Attitude(
                 nowMillis,
                 (float) body.roll(),
@@ -156,7 +156,7 @@ public final class SimulatedTelemetry {
     }
 
     private GlobalPositionInt position(long nowMillis) {
-        MulticopterBody body = craft.body();
+        VehicleBody body = craft.body();
         NeuPosition here = body.position();
         LocalFrame frame = craft.frame();
         boolean known = craft.navigation().hasFix() || craft.navigation().hasEstimate() || !craft.landed();
@@ -186,7 +186,7 @@ public final class SimulatedTelemetry {
     }
 
     private VfrHud hud() {
-        MulticopterBody body = craft.body();
+        VehicleBody body = craft.body();
         return new VfrHud(
                 (float) body.airSpeed(craft.wind()),
                 (float) body.groundSpeed(),

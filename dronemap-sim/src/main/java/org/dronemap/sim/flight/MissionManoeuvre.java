@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
 public final class MissionManoeuvre implements Manoeuvre {
     private final SimulatedMission plan;
     private final CruiseSpeeds cruise;
-    private final double returnHeight;
+    private final MissionLegs legs;
     private final Consumer<FlightEvent> events;
     private int index;
     private boolean ended;
@@ -25,12 +25,12 @@ public final class MissionManoeuvre implements Manoeuvre {
     public MissionManoeuvre(
             SimulatedMission plan,
             CruiseSpeeds cruise,
-            double returnHeight,
+            MissionLegs legs,
             int firstIndex,
             Consumer<FlightEvent> events) {
         this.plan = plan;
         this.cruise = cruise;
-        this.returnHeight = returnHeight;
+        this.legs = legs;
         this.index = firstIndex;
         this.events = events;
     }
@@ -67,8 +67,14 @@ public final class MissionManoeuvre implements Manoeuvre {
     }
 
     private void begin(SimulatedCraft craft) {
-        while (index < plan.size() && !plan.item(index).isNavigation()) {
+        while (index < plan.size() && !plan.item(index).isFlown()) {
             SimulatedMissionItem order = plan.item(index);
+            if (order.isNavigation()) {
+                // What the autopilot stores and this vehicle cannot do is passed over, not flown to somewhere.
+                events.accept(new FlightEvent.Text(TextSeverity.INFO, "Skipping invalid cmd #" + order.command()));
+                index++;
+                continue;
+            }
             events.accept(new FlightEvent.ItemStarted(index, order.typeName()));
             execute(order, craft);
             events.accept(new FlightEvent.ItemReached(index));
@@ -76,23 +82,15 @@ public final class MissionManoeuvre implements Manoeuvre {
         }
         if (index >= plan.size()) {
             ended = true;
-            leg = afterwards(craft);
+            leg = legs.afterwards(craft, leg == null ? new Grounded() : leg);
             events.accept(new FlightEvent.MissionEnded());
             return;
         }
         SimulatedMissionItem next = plan.item(index);
         item = next;
-        leg = legFor(next, craft);
+        leg = legs.legFor(next, craft, yaw);
         arrivedAt = -1;
         events.accept(new FlightEvent.ItemStarted(index, next.typeName()));
-    }
-
-    /** Stays over its last waypoint, or where its last item left it. */
-    private Manoeuvre afterwards(SimulatedCraft craft) {
-        if (craft.landed()) {
-            return new Grounded();
-        }
-        return leg instanceof GoTo last ? last : new Hover(craft, cruise);
     }
 
     private void execute(SimulatedMissionItem order, SimulatedCraft craft) {
@@ -105,21 +103,11 @@ public final class MissionManoeuvre implements Manoeuvre {
             lookedAt = craft.targetOf(order);
         } else if (order.command() == SimulatedMissionItem.LOOK_AHEAD) {
             lookedAt = null;
+        } else if (order.command() == SimulatedMissionItem.SET_ROI) {
+            lookedAt = order.hasPlace() ? craft.targetOf(order) : null;
         } else {
             events.accept(new FlightEvent.Ordered(order));
         }
-    }
-
-    private Manoeuvre legFor(SimulatedMissionItem next, SimulatedCraft craft) {
-        NeuPosition target = craft.targetOf(next);
-        return switch (next.command()) {
-            case SimulatedMissionItem.TAKEOFF -> new TakeOff(craft, target.up(), cruise);
-            case SimulatedMissionItem.RETURN_TO_LAUNCH -> new ReturnHome(craft, cruise, returnHeight, 5_000);
-            case SimulatedMissionItem.LAND ->
-                new LandingAt(next.hasPlace() ? target : craft.body().position(), cruise);
-            case SimulatedMissionItem.DELAY -> new Hover(craft, cruise);
-            default -> GoTo.leg(target, cruise, yaw);
-        };
     }
 
     private boolean isComplete(SimulatedMissionItem flown, Manoeuvre flying, long nowMillis) {
@@ -130,15 +118,7 @@ public final class MissionManoeuvre implements Manoeuvre {
         if (there && arrivedAt < 0) {
             arrivedAt = nowMillis;
         }
-        return arrivedAt >= 0 && nowMillis - arrivedAt >= holdMillis(flown);
-    }
-
-    private static long holdMillis(SimulatedMissionItem flown) {
-        return switch (flown.command()) {
-            case SimulatedMissionItem.WAYPOINT, SimulatedMissionItem.LOITER_TIME, SimulatedMissionItem.DELAY ->
-                (long) (Math.max(0, flown.param1()) * 1000);
-            default -> 0;
-        };
+        return arrivedAt >= 0 && nowMillis - arrivedAt >= legs.holdMillis(flown);
     }
 
     private void finish(SimulatedCraft craft) {

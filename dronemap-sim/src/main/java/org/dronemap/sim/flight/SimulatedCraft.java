@@ -6,6 +6,7 @@ import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.MotionSetpoint;
 import org.dronemap.sim.physics.MulticopterBody;
 import org.dronemap.sim.physics.NeuPosition;
+import org.dronemap.sim.physics.VehicleBody;
 import org.dronemap.sim.physics.WindModel;
 
 /**
@@ -18,7 +19,7 @@ public final class SimulatedCraft {
     private static final MotionSetpoint STILL = new MotionSetpoint.Still();
 
     private final LocalFrame frame;
-    private final MulticopterBody body;
+    private final VehicleBody body;
     private final BatteryModel battery;
     private final WindModel wind;
     private final NavigationEstimator navigation;
@@ -35,9 +36,14 @@ public final class SimulatedCraft {
 
     public SimulatedCraft(
             LocalFrame frame, Airframe airframe, BatteryModel battery, WindModel wind, NavigationEstimator navigation) {
+        this(frame, new MulticopterBody(airframe, 0), battery, wind, navigation);
+    }
+
+    public SimulatedCraft(
+            LocalFrame frame, VehicleBody body, BatteryModel battery, WindModel wind, NavigationEstimator navigation) {
         this.frame = frame;
         this.home = frame;
-        this.body = new MulticopterBody(airframe, 0);
+        this.body = body;
         this.battery = battery;
         this.wind = wind;
         this.navigation = navigation;
@@ -146,7 +152,7 @@ public final class SimulatedCraft {
         return frame;
     }
 
-    public MulticopterBody body() {
+    public VehicleBody body() {
         return body;
     }
 

@@ -31,6 +31,7 @@ public record SimulatedMissionItem(
     public static final int SET_SERVO = 183;
     public static final int LOOK_AT = 195;
     public static final int LOOK_AHEAD = 197;
+    public static final int SET_ROI = 201;
     public static final int DIGICAM_CONTROL = 203;
 
     public static final int FRAME_AMSL = 0;
@@ -61,9 +62,14 @@ public record SimulatedMissionItem(
     }
 
     public boolean isRunnable() {
+        return isFlown() || isCondition() || isSetting();
+    }
+
+    /** A navigation item that the simulated vehicles can fly. */
+    public boolean isFlown() {
         return switch (command) {
             case WAYPOINT, LOITER_UNLIMITED, LOITER_TIME, RETURN_TO_LAUNCH, LAND, TAKEOFF, DELAY -> true;
-            default -> isCondition() || isSetting();
+            default -> false;
         };
     }
 
@@ -103,7 +109,7 @@ public record SimulatedMissionItem(
             case CONDITION_YAW -> "CondYaw";
             case CHANGE_SPEED -> "ChangeSpeed";
             case SET_SERVO -> "SetServo";
-            case LOOK_AT, LOOK_AHEAD -> "ROI";
+            case LOOK_AT, LOOK_AHEAD, SET_ROI -> "ROI";
             case DIGICAM_CONTROL -> "DigiCamCtrl";
             default -> "Cmd" + command;
         };

@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
  * The flight physics of one simulated multicopter: position, velocity and attitude, moved in small steps. Owned by its
  * vehicle.
  */
-public final class MulticopterBody {
+public final class MulticopterBody implements VehicleBody {
     private static final double GRAVITY = 9.80665;
     private static final double POSITION_GAIN = 1.0;
     private static final double ATTITUDE_SECONDS = 0.15;
@@ -34,6 +34,7 @@ public final class MulticopterBody {
         this.yaw = yaw;
     }
 
+    @Override
     public void step(MotionSetpoint setpoint, WindModel wind, double seconds) {
         if (!(setpoint instanceof MotionSetpoint.Track)) {
             chaser = null;
@@ -226,11 +227,12 @@ public final class MulticopterBody {
         return Math.max(-limit, Math.min(limit, value));
     }
 
+    @Override
     public NeuPosition position() {
         return new NeuPosition(north, east, up);
     }
 
-    /** Where it comes to rest if it brakes now. */
+    @Override
     public NeuPosition stoppingPoint() {
         double speed = groundSpeed();
         double distance = speed * speed / (2 * airframe.horizontalAcceleration());
@@ -239,64 +241,78 @@ public final class MulticopterBody {
         return new NeuPosition(north + velocityNorth * share, east + velocityEast * share, Math.max(0, up + rise));
     }
 
+    @Override
     public boolean onGround() {
         return up <= 0 && velocityUp <= 0;
     }
 
+    @Override
     public double up() {
         return up;
     }
 
+    @Override
     public double velocityNorth() {
         return velocityNorth;
     }
 
+    @Override
     public double velocityEast() {
         return velocityEast;
     }
 
+    @Override
     public double velocityUp() {
         return velocityUp;
     }
 
+    @Override
     public double groundSpeed() {
         return Math.hypot(velocityNorth, velocityEast);
     }
 
+    @Override
     public double airSpeed(WindModel wind) {
         return up > 0.05 ? Math.hypot(velocityNorth - wind.north(), velocityEast - wind.east()) : 0;
     }
 
+    @Override
     public double roll() {
         return roll;
     }
 
+    @Override
     public double pitch() {
         return pitch;
     }
 
+    @Override
     public double yaw() {
         return yaw;
     }
 
+    @Override
     public double rollRate() {
         return rollRate;
     }
 
+    @Override
     public double pitchRate() {
         return pitchRate;
     }
 
+    @Override
     public double yawRate() {
         return yawRate;
     }
 
     /** Share of the hovering thrust. */
+    @Override
     public double thrust() {
         return thrust;
     }
 
-    /** Vertical speed of the last touch of the ground, m/s. */
+    @Override
     public double impactSpeed() {
         return impactSpeed;
     }

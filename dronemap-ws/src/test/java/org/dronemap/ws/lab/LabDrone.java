@@ -56,6 +56,7 @@ public final class LabDrone implements LabVehicle {
         wires.add(newWire(name, FIRST_PORT + numbers.number()));
         SimulatedCraft craft = new SimulatedCraft(
                 start,
+                kit.kind().body().get(),
                 new BatteryModel(MILLIAMP_HOURS),
                 new WindModel(kit.windSpeed(), 0, seed),
                 new NavigationEstimator((long) (kit.readySeconds() * MILLIS)));

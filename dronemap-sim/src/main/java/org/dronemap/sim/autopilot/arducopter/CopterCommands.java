@@ -1,13 +1,11 @@
 package org.dronemap.sim.autopilot.arducopter;
 
-import java.util.function.Consumer;
-import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
 import org.dronemap.sim.autopilot.MavCmd;
 import org.dronemap.sim.autopilot.MavCommand;
 import org.dronemap.sim.autopilot.SimulatedCommandResult;
-import org.dronemap.sim.autopilot.SimulatedTelemetry;
+import org.dronemap.sim.autopilot.ardupilot.ArduPilotCommands;
 import org.dronemap.sim.flight.CruiseSpeeds;
 import org.dronemap.sim.flight.GoTo;
 import org.dronemap.sim.flight.MovingTargetManoeuvre;
@@ -15,38 +13,34 @@ import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.TextSeverity;
 import org.dronemap.sim.flight.TurnOnSpot;
 import org.dronemap.sim.flight.VelocityManoeuvre;
-import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.NeuPosition;
 
 /**
  * Executes the MAV_CMDs and position targets that the simulated ArduCopter receives. Each copy of an order is acted on.
  */
-final class CopterCommands {
+final class CopterCommands extends ArduPilotCommands {
     private static final int IGNORE_POSITION = 7;
     private static final int IGNORE_VELOCITY = 7 << 3;
     private static final int IGNORE_YAW = 1 << 10;
     private static final int IGNORE_YAW_RATE = 1 << 11;
     private static final int FRAME_BODY = 8;
     private static final int FRAME_BODY_OFFSET = 9;
-    private static final float FORCE_ARM = 2989;
     private static final double QUICKEST_TURN = 60;
 
     private final SimulatedArduCopter copter;
     private final CopterFlight flight;
     private final SimulatedCraft craft;
-    private final Consumer<Message> out;
 
-    CopterCommands(SimulatedArduCopter copter, CopterFlight flight, Consumer<Message> out) {
+    CopterCommands(SimulatedArduCopter copter, CopterFlight flight) {
+        super(copter);
         this.copter = copter;
         this.flight = flight;
         this.craft = copter.craft();
-        this.out = out;
     }
 
-    SimulatedCommandResult execute(MavCommand order) {
+    @Override
+    protected SimulatedCommandResult executeOwn(MavCommand order) {
         return switch (order.command()) {
-            case MavCmd.ARM_DISARM -> armOrDisarm(order);
-            case MavCmd.SET_MODE -> copter.setMode((int) order.param1(), (long) order.param2());
             case MavCmd.TAKEOFF -> SimulatedCommandResult.acceptedIf(takeOff(order));
             case MavCmd.LAND -> SimulatedCommandResult.acceptedIf(copter.change(CopterMode.LAND));
             case MavCmd.RETURN_TO_LAUNCH -> SimulatedCommandResult.acceptedIf(copter.change(CopterMode.RTL));
@@ -56,25 +50,8 @@ final class CopterCommands {
             case MavCmd.CHANGE_SPEED -> changeSpeed(order);
             case MavCmd.PAUSE_CONTINUE -> pauseOrContinue(order);
             case MavCmd.MISSION_START -> startMission(order);
-            case MavCmd.SET_MISSION_CURRENT ->
-                SimulatedCommandResult.acceptedIf(copter.setCurrentItem((int) order.param1()));
-            case MavCmd.SET_HOME -> setHome(order);
-            case MavCmd.IMAGE_START_CAPTURE -> picture(order.param3() == 1);
-            case MavCmd.DIGICAM_CONTROL -> picture(order.shoots());
-            case MavCmd.SET_RELAY -> copter.payload().setRelay((int) order.param1(), (int) order.param2());
-            case MavCmd.RUN_PREARM_CHECKS -> runChecks();
             default -> SimulatedCommandResult.UNSUPPORTED;
         };
-    }
-
-    private SimulatedCommandResult armOrDisarm(MavCommand order) {
-        if (order.param1() == 1) {
-            return copter.arm(order.param2() == FORCE_ARM);
-        }
-        if (order.param1() == 0) {
-            return copter.disarm(order.param2() == MavCmd.FORCE);
-        }
-        return SimulatedCommandResult.UNSUPPORTED;
     }
 
     private boolean takeOff(MavCommand order) {
@@ -134,14 +111,6 @@ final class CopterCommands {
         return Math.toRadians(degreesPerSecond > 0 ? Math.min(degreesPerSecond, QUICKEST_TURN) : QUICKEST_TURN);
     }
 
-    private SimulatedCommandResult picture(boolean single) {
-        if (!single) {
-            return SimulatedCommandResult.FAILED;
-        }
-        out.accept(copter.takePicture());
-        return SimulatedCommandResult.ACCEPTED;
-    }
-
     private SimulatedCommandResult changeSpeed(MavCommand order) {
         if (!(order.param2() > 0)) {
             return SimulatedCommandResult.DENIED;
@@ -178,37 +147,8 @@ final class CopterCommands {
         return SimulatedCommandResult.ACCEPTED;
     }
 
-    private SimulatedCommandResult setHome(MavCommand order) {
-        if (order.param1() == 1) {
-            if (!craft.navigation().hasEstimate()) {
-                return SimulatedCommandResult.FAILED;
-            }
-            craft.setHomeHere();
-        } else if (!order.isOnEarth()) {
-            return SimulatedCommandResult.DENIED;
-        } else {
-            // A COMMAND_LONG has no frame: ArduPilot takes a home's altitude as AMSL.
-            boolean amsl = order.isAmsl() || !order.withFrame();
-            double altitude = amsl ? order.altitude() : craft.home().altitudeAmsl() + order.altitude();
-            craft.setHome(new LocalFrame(order.latitude(), order.longitude(), altitude));
-        }
-        sendHome();
-        return SimulatedCommandResult.ACCEPTED;
-    }
-
-    private SimulatedCommandResult runChecks() {
-        if (craft.armed()) {
-            return SimulatedCommandResult.TEMPORARILY_REJECTED;
-        }
-        copter.reportComplaintsNow();
-        return SimulatedCommandResult.ACCEPTED;
-    }
-
-    void sendHome() {
-        out.accept(SimulatedTelemetry.home(craft));
-    }
-
-    void steer(SetPositionTargetGlobalInt target) {
+    @Override
+    protected void steer(SetPositionTargetGlobalInt target) {
         if (flight.mode() != CopterMode.GUIDED || !craft.armed() || craft.landed()) {
             return;
         }
@@ -228,7 +168,8 @@ final class CopterCommands {
     }
 
     /** Speeds in the frames 1 and 7 count from north, in 8 and 9 from its nose. */
-    void steer(SetPositionTargetLocalNed target) {
+    @Override
+    protected void steer(SetPositionTargetLocalNed target) {
         boolean speeds =
                 (target.typeMask() & IGNORE_POSITION) == IGNORE_POSITION && (target.typeMask() & IGNORE_VELOCITY) == 0;
         if (flight.mode() != CopterMode.GUIDED || !craft.armed() || craft.landed() || !speeds) {

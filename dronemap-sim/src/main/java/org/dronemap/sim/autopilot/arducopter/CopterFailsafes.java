@@ -1,10 +1,12 @@
 package org.dronemap.sim.autopilot.arducopter;
 
+import org.dronemap.sim.autopilot.ardupilot.ArduPilotFailsafes;
+import org.dronemap.sim.autopilot.ardupilot.BatteryFailsafe;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.TextSeverity;
 
 /** The fail-safes of the simulated ArduCopter for battery, ground station, GPS or motor loss. */
-final class CopterFailsafes {
+final class CopterFailsafes extends ArduPilotFailsafes {
     private static final int CONTINUE_AUTO_WITHOUT_GCS = 2;
     private static final int CONTINUE_LANDING = 8;
     private static final int CONTINUE_PILOTED_WITHOUT_GCS = 16;
@@ -13,7 +15,6 @@ final class CopterFailsafes {
     private final SimulatedArduCopter copter;
     private final SimulatedCraft craft;
     private final BatteryFailsafe battery;
-    private long lastHeartbeatAt = -1;
     private boolean groundStationLost;
     private boolean positionLost;
     private boolean hadPosition;
@@ -21,42 +22,28 @@ final class CopterFailsafes {
     private boolean thrustLossReported;
 
     CopterFailsafes(SimulatedArduCopter copter, BatteryFailsafe battery) {
+        super(copter, battery);
         this.copter = copter;
         this.craft = copter.craft();
         this.battery = battery;
     }
 
-    boolean any() {
+    @Override
+    public boolean any() {
         return battery.tripped() || groundStationLost || positionLost;
     }
 
-    void heartbeatReceived(long nowMillis) {
-        lastHeartbeatAt = nowMillis;
-    }
-
-    void check(long nowMillis) {
-        checkBattery(nowMillis);
+    @Override
+    protected void checkOwn(long nowMillis) {
         checkGroundStation(nowMillis);
         checkPosition();
         checkMotors(nowMillis);
     }
 
-    private void checkBattery(long nowMillis) {
-        if (!craft.armed()
-                && battery.tripped()
-                && battery.volts() > copter.parameters().value("BATT_LOW_VOLT") + 0.3) {
-            battery.reset();
-        }
-        BatteryFailsafe.Trip trip = battery.check(nowMillis);
-        if (trip == null) {
-            return;
-        }
-        copter.sendText(TextSeverity.WARNING, trip.text());
-        if (!craft.armed()) {
-            return;
-        }
+    @Override
+    protected void batteryFailed(int action) {
         copter.sendText(TextSeverity.WARNING, "Battery Failsafe");
-        act(trip.action());
+        act(action);
     }
 
     /** 0 nothing, 1 land, 5 stop the motors, all others come back or else land. */
@@ -75,12 +62,11 @@ final class CopterFailsafes {
 
     private void checkGroundStation(long nowMillis) {
         int action = (int) copter.parameters().value("FS_GCS_ENABLE");
-        if (action == 0 || lastHeartbeatAt < 0) {
+        if (action == 0) {
             groundStationLost = false;
             return;
         }
-        long timeout = (long) (copter.parameters().value("FS_GCS_TIMEOUT") * 1000);
-        boolean lost = nowMillis - lastHeartbeatAt >= timeout;
+        boolean lost = groundStationSilent(nowMillis, copter.parameters().value("FS_GCS_TIMEOUT"));
         if (lost && !groundStationLost) {
             groundStationLost = true;
             groundStationFailed(action);
@@ -113,7 +99,7 @@ final class CopterFailsafes {
         hadPosition |= has;
         if (hadPosition && !has && !positionLost) {
             positionLost = true;
-            if (craft.armed() && copter.flight().mode().needsPosition) {
+            if (craft.armed() && copter.flight().mode().needsPosition()) {
                 copter.sendText(TextSeverity.CRITICAL, "EKF variance");
                 copter.change(CopterMode.LAND);
                 copter.sendText(TextSeverity.CRITICAL, "EKF Failsafe: changed to LAND Mode");

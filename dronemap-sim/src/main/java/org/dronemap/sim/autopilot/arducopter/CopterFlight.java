@@ -1,6 +1,8 @@
 package org.dronemap.sim.autopilot.arducopter;
 
 import java.util.function.Consumer;
+import org.dronemap.sim.autopilot.ardupilot.ArduPilotFlight;
+import org.dronemap.sim.autopilot.ardupilot.ArduPilotMission;
 import org.dronemap.sim.flight.CruiseSpeeds;
 import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.GoTo;
@@ -8,8 +10,8 @@ import org.dronemap.sim.flight.Grounded;
 import org.dronemap.sim.flight.Hover;
 import org.dronemap.sim.flight.Landing;
 import org.dronemap.sim.flight.Manoeuvre;
-import org.dronemap.sim.flight.MissionManoeuvre;
 import org.dronemap.sim.flight.MovingTargetManoeuvre;
+import org.dronemap.sim.flight.MulticopterLegs;
 import org.dronemap.sim.flight.ReturnHome;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.SimulatedMission;
@@ -22,22 +24,18 @@ import org.dronemap.sim.physics.NeuPosition;
 import org.jspecify.annotations.Nullable;
 
 /** The current mode of the simulated ArduCopter, and the manoeuvre that it flies in it. */
-final class CopterFlight {
+final class CopterFlight implements ArduPilotFlight {
     private static final int STICK_MID = 1500;
     private static final int STICK_LOW = 1100;
     private static final VelocityManoeuvre.Wanted STANDING = new VelocityManoeuvre.Wanted(true, 0, 0, 0, Double.NaN, 0);
 
     private final SimulatedCraft craft;
-    private final SimulatedMission plan;
     private final SimulatedParameters parameters;
-    private final Consumer<FlightEvent> events;
+    private final ArduPilotMission mission;
     private final CruiseSpeeds cruise = new CruiseSpeeds(10, 2.5, 1.5, 0.5);
     private CopterMode mode = CopterMode.STABILIZE;
     private Manoeuvre manoeuvre = new Grounded();
-    private @Nullable MissionManoeuvre mission;
     private @Nullable Manoeuvre paused;
-    private int resumeItem;
-    private boolean completed;
     private boolean autoStarted;
     private int stick = STICK_MID;
     private final ManualControlInput joystick;
@@ -46,14 +44,14 @@ final class CopterFlight {
     CopterFlight(
             SimulatedCraft craft, SimulatedMission plan, SimulatedParameters parameters, Consumer<FlightEvent> events) {
         this.craft = craft;
-        this.plan = plan;
         this.parameters = parameters;
-        this.events = events;
+        this.mission = new ArduPilotMission(craft, plan, events);
         this.joystick = new ManualControlInput(parameters);
         readSpeeds();
     }
 
-    void readSpeeds() {
+    @Override
+    public void readSpeeds() {
         cruise.set(
                 parameters.value("WPNAV_SPEED") / 100,
                 parameters.value("WPNAV_SPEED_UP") / 100,
@@ -61,7 +59,8 @@ final class CopterFlight {
                 parameters.value("LAND_SPEED") / 100);
     }
 
-    MotionSetpoint fly(long nowMillis) {
+    @Override
+    public MotionSetpoint fly(long nowMillis) {
         if (mode == CopterMode.AUTO && craft.landed() && !autoStarted) {
             return new MotionSetpoint.Still();
         }
@@ -106,9 +105,8 @@ final class CopterFlight {
     }
 
     void enter(CopterMode next) {
-        if (mode == CopterMode.AUTO && mission != null) {
-            resumeItem = mission.ended() ? 0 : mission.index();
-            mission = null;
+        if (mode == CopterMode.AUTO) {
+            mission.leave();
         }
         mode = next;
         paused = null;
@@ -125,19 +123,10 @@ final class CopterFlight {
     }
 
     private Manoeuvre startMission() {
-        if (!craft.armed() || plan.size() <= 1) {
+        if (!craft.armed() || mission.isEmpty()) {
             return new Grounded();
         }
-        completed = false;
-        mission = new MissionManoeuvre(plan, cruise, returnHeight(), Math.max(1, resumeItem), this::handle);
-        return mission;
-    }
-
-    private void handle(FlightEvent event) {
-        if (event instanceof FlightEvent.MissionEnded) {
-            completed = true;
-        }
-        events.accept(event);
+        return mission.start(cruise, new MulticopterLegs(cruise, returnHeight()));
     }
 
     private Manoeuvre returnHome() {
@@ -156,12 +145,13 @@ final class CopterFlight {
     /** MISSION_START: what a pilot does by raising the throttle; a mission that was over goes on from the item set since. */
     void letAutoStart() {
         autoStarted = craft.armed();
-        if (mission == null) {
+        if (mission.flown() == null) {
             manoeuvre = startMission();
         }
     }
 
-    void armed() {
+    @Override
+    public void armed() {
         autoStarted = false;
         if (mode == CopterMode.AUTO) {
             manoeuvre = startMission();
@@ -170,11 +160,11 @@ final class CopterFlight {
         }
     }
 
-    void disarmed() {
+    @Override
+    public void disarmed() {
         manoeuvre = new Grounded();
-        mission = null;
+        mission.reset();
         paused = null;
-        resumeItem = 0;
         autoStarted = false;
     }
 
@@ -210,6 +200,7 @@ final class CopterFlight {
         }
         if (paused == null) {
             paused = manoeuvre;
+            mission.setPaused(true);
             manoeuvre = new Hover(craft, cruise);
         }
         return true;
@@ -222,83 +213,40 @@ final class CopterFlight {
         if (paused != null) {
             manoeuvre = paused;
             paused = null;
+            mission.setPaused(false);
         }
         return true;
-    }
-
-    boolean setCurrentItem(int index) {
-        if (index < 0 || index >= plan.size()) {
-            return false;
-        }
-        completed = false;
-        if (mission != null && !mission.ended()) {
-            mission.jumpTo(Math.max(1, index));
-        } else {
-            resumeItem = index;
-            mission = null;
-        }
-        return true;
-    }
-
-    void missionChanged() {
-        completed = false;
-        if (mission == null) {
-            resumeItem = 0;
-        }
-    }
-
-    boolean startsWithTakeOff() {
-        int first = Math.max(1, resumeItem);
-        return first < plan.size() && plan.item(first).command() == SimulatedMissionItem.TAKEOFF;
     }
 
     boolean takingOff() {
         boolean climbing = manoeuvre instanceof TakeOff takeOff && !takeOff.done() && !isHeldDown();
-        return climbing || (mission != null && autoStarted && !mission.ended() && isTakeOff(mission.index()));
-    }
-
-    private boolean isTakeOff(int index) {
-        return index < plan.size() && plan.item(index).command() == SimulatedMissionItem.TAKEOFF;
+        return climbing || (autoStarted && mission.flies(SimulatedMissionItem.TAKEOFF));
     }
 
     boolean landing() {
         return manoeuvre instanceof Landing
                 || (manoeuvre instanceof ReturnHome home && home.landing())
-                || (mission != null && mission.landing());
+                || mission.landing();
     }
 
     /** Stands after a landing of its own. */
     boolean hasLanded() {
         boolean landed = manoeuvre instanceof Landing || manoeuvre instanceof ReturnHome;
-        return (landed && manoeuvre.done()) || (mission != null && mission.ended() && craft.landed());
-    }
-
-    int currentItem() {
-        if (completed && craft.landed()) {
-            return 0;
-        }
-        return mission == null ? resumeItem : Math.min(mission.index(), Math.max(0, plan.size() - 1));
-    }
-
-    int missionState() {
-        if (plan.size() <= 1) {
-            return 1;
-        }
-        if (completed) {
-            return 5;
-        }
-        if (mission == null) {
-            return 2;
-        }
-        return paused != null ? 4 : 3;
+        return (landed && manoeuvre.done()) || (mission.ended() && craft.landed());
     }
 
     CruiseSpeeds cruise() {
         return cruise;
     }
 
-    CopterMode mode() {
+    @Override
+    public CopterMode mode() {
         return mode;
+    }
+
+    @Override
+    public ArduPilotMission mission() {
+        return mission;
     }
 
     /** What a ground station's sticks say. */
@@ -306,7 +254,8 @@ final class CopterFlight {
         return joystick;
     }
 
-    void setStick(int throttle) {
+    @Override
+    public void setStick(int throttle) {
         stick = throttle;
     }
 }

@@ -1,9 +1,10 @@
 package org.dronemap.sim.autopilot.arducopter;
 
+import org.dronemap.sim.autopilot.ardupilot.ArduPilotMode;
 import org.jspecify.annotations.Nullable;
 
 /** The flight modes of the simulated ArduCopter with ArduCopter's custom_mode numbers. */
-enum CopterMode {
+enum CopterMode implements ArduPilotMode {
     STABILIZE(0, false, false, true),
     ALT_HOLD(2, false, false, true),
     AUTO(3, true, true, false),
@@ -15,10 +16,10 @@ enum CopterMode {
     POSHOLD(16, true, true, true),
     BRAKE(17, true, true, false);
 
-    final int number;
-    final boolean needsPosition;
+    private final int number;
+    private final boolean needsPosition;
     final boolean guidedFlag;
-    final boolean armable;
+    private final boolean armable;
 
     CopterMode(int number, boolean needsPosition, boolean guidedFlag, boolean armable) {
         this.number = number;
@@ -34,6 +35,26 @@ enum CopterMode {
             }
         }
         return null;
+    }
+
+    @Override
+    public int number() {
+        return number;
+    }
+
+    @Override
+    public boolean needsPosition() {
+        return needsPosition;
+    }
+
+    @Override
+    public boolean needsMission() {
+        return this == AUTO;
+    }
+
+    @Override
+    public boolean armable() {
+        return armable;
     }
 
     /** A pilot's throttle stick decides about the height. */

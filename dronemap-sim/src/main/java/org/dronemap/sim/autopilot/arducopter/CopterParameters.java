@@ -5,6 +5,7 @@ import static org.dronemap.sim.flight.SimulatedParameters.INT32;
 import static org.dronemap.sim.flight.SimulatedParameters.INT8;
 import static org.dronemap.sim.flight.SimulatedParameters.REAL32;
 
+import org.dronemap.sim.autopilot.ardupilot.ArduPilotParameters;
 import org.dronemap.sim.flight.SimulatedParameters;
 
 /** The parameters that the simulated ArduCopter heeds, with ArduCopter's defaults. */
@@ -12,23 +13,11 @@ final class CopterParameters {
     private CopterParameters() {}
 
     static SimulatedParameters defaults(int systemId, double batteryMilliampHours) {
-        return new SimulatedParameters()
-                .add("SYSID_THISMAV", INT16, systemId)
-                .add("SYSID_MYGCS", INT16, 255)
+        return ArduPilotParameters.shared(systemId, batteryMilliampHours)
                 .add("FS_GCS_ENABLE", INT8, 0)
                 .add("FS_GCS_TIMEOUT", REAL32, 5)
                 .add("FS_OPTIONS", INT32, 16)
                 .add("FS_EKF_ACTION", INT8, 1)
-                .add("BATT_MONITOR", INT8, 4)
-                .add("BATT_CAPACITY", INT32, batteryMilliampHours)
-                .add("BATT_LOW_TIMER", INT8, 10)
-                .add("BATT_LOW_VOLT", REAL32, 10.5)
-                .add("BATT_LOW_MAH", REAL32, 0)
-                .add("BATT_CRT_VOLT", REAL32, 0)
-                .add("BATT_CRT_MAH", REAL32, 0)
-                .add("BATT_FS_LOW_ACT", INT8, 0)
-                .add("BATT_FS_CRT_ACT", INT8, 0)
-                .add("ARMING_CHECK", INT32, 1)
                 .add("DISARM_DELAY", INT8, 10)
                 .add("RTL_ALT", INT32, 1500)
                 .add("RTL_CONE_SLOPE", REAL32, 3)
@@ -41,10 +30,6 @@ final class CopterParameters {
                 .add("PILOT_SPEED_UP", INT16, 250)
                 .add("PILOT_Y_RATE", REAL32, 202.5)
                 .add("LOIT_SPEED", REAL32, 1250)
-                .add("MNT1_TYPE", INT8, 0)
-                .add("SIM_BATT_VOLTAGE", REAL32, 0)
-                .add("SIM_GPS_DISABLE", INT8, 0)
-                .add("SIM_ENGINE_MUL", REAL32, 1)
                 .add("SIM_ENGINE_FAIL", INT8, 0);
     }
 }

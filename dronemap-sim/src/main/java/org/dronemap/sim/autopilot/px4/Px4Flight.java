@@ -9,6 +9,7 @@ import org.dronemap.sim.flight.Hover;
 import org.dronemap.sim.flight.Landing;
 import org.dronemap.sim.flight.Manoeuvre;
 import org.dronemap.sim.flight.MissionManoeuvre;
+import org.dronemap.sim.flight.MulticopterLegs;
 import org.dronemap.sim.flight.ReturnHome;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.SimulatedMission;
@@ -100,7 +101,8 @@ final class Px4Flight {
     private Manoeuvre startMission() {
         completed = false;
         int first = nextItem < plan.size() ? nextItem : 0;
-        mission = new MissionManoeuvre(plan, cruise, parameters.value("RTL_RETURN_ALT"), first, this::handle);
+        mission = new MissionManoeuvre(
+                plan, cruise, new MulticopterLegs(cruise, parameters.value("RTL_RETURN_ALT")), first, this::handle);
         return mission;
     }
 

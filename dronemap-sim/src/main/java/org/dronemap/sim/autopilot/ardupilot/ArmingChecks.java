@@ -1,4 +1,4 @@
-package org.dronemap.sim.autopilot.arducopter;
+package org.dronemap.sim.autopilot.ardupilot;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -7,14 +7,15 @@ import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.SimulatedMission;
 import org.dronemap.sim.flight.SimulatedParameters;
 
-/** The pre-arm checks of the simulated ArduCopter, in ArduCopter's own words without "Arm: " or "PreArm: ". */
-final class ArmingChecks {
+/** The pre-arm checks of a simulated ArduPilot vehicle, in ArduPilot's own words without "Arm: " or "PreArm: ". */
+public class ArmingChecks {
     private final SimulatedCraft craft;
     private final SimulatedParameters parameters;
     private final SimulatedMission plan;
     private final BatteryFailsafe battery;
 
-    ArmingChecks(SimulatedCraft craft, SimulatedParameters parameters, SimulatedMission plan, BatteryFailsafe battery) {
+    public ArmingChecks(
+            SimulatedCraft craft, SimulatedParameters parameters, SimulatedMission plan, BatteryFailsafe battery) {
         this.craft = craft;
         this.parameters = parameters;
         this.plan = plan;
@@ -22,7 +23,7 @@ final class ArmingChecks {
     }
 
     /** What keeps it from arming in {@code mode}; empty when all is well. */
-    List<String> complaints(CopterMode mode) {
+    public List<String> complaints(ArduPilotMode mode) {
         List<String> found = new ArrayList<>();
         if (parameters.value("ARMING_CHECK") != 0) {
             checkSensors(found);
@@ -32,7 +33,7 @@ final class ArmingChecks {
         if (craft.crashed() || craft.motorFailed()) {
             found.add("Motors: Check frame class and type");
         }
-        if (mode == CopterMode.AUTO && plan.size() <= 1) {
+        if (mode.needsMission() && plan.size() <= 1) {
             found.add("Mode requires mission");
         }
         return found;
@@ -47,9 +48,9 @@ final class ArmingChecks {
     }
 
     /** Until the sensors have settled a mode that flies without a position says nothing about it. */
-    private void checkPosition(CopterMode mode, List<String> found) {
+    private void checkPosition(ArduPilotMode mode, List<String> found) {
         NavigationEstimator navigation = craft.navigation();
-        if (!mode.needsPosition && !found.isEmpty()) {
+        if (!mode.needsPosition() && !found.isEmpty()) {
             return;
         }
         if (!navigation.hasFix()) {

@@ -1,14 +1,14 @@
-package org.dronemap.sim.autopilot.arducopter;
+package org.dronemap.sim.autopilot.ardupilot;
 
 import java.util.Locale;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.SimulatedParameters;
 import org.jspecify.annotations.Nullable;
 
-/** The battery fail-safe of the simulated ArduCopter: low and critical each trip once, after BATT_LOW_TIMER seconds. */
-final class BatteryFailsafe {
-    /** A tripped battery fail-safe and its action: 0 only warns, 1 lands, 2 returns. */
-    record Trip(String text, int action) {}
+/** The battery fail-safe of a simulated ArduPilot vehicle: low and critical each trip once, after BATT_LOW_TIMER seconds. */
+public final class BatteryFailsafe {
+    /** A tripped battery fail-safe and its action, which each vehicle numbers in its own way; 0 only warns. */
+    public record Trip(String text, int action) {}
 
     private final SimulatedCraft craft;
     private final SimulatedParameters parameters;
@@ -17,22 +17,22 @@ final class BatteryFailsafe {
     private boolean low;
     private boolean critical;
 
-    BatteryFailsafe(SimulatedCraft craft, SimulatedParameters parameters) {
+    public BatteryFailsafe(SimulatedCraft craft, SimulatedParameters parameters) {
         this.craft = craft;
         this.parameters = parameters;
     }
 
-    double volts() {
+    public double volts() {
         double forced = parameters.value("SIM_BATT_VOLTAGE");
         return forced > 0 ? forced : craft.battery().volts();
     }
 
-    boolean tripped() {
+    public boolean tripped() {
         return low || critical;
     }
 
     /** The voltage has been set from outside: what is low is counted from now. */
-    void restartTimers() {
+    public void restartTimers() {
         lowSince = -1;
         criticalSince = -1;
     }

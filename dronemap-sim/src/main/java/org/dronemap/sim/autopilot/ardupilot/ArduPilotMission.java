@@ -1,0 +1,157 @@
+package org.dronemap.sim.autopilot.ardupilot;
+
+import java.util.function.Consumer;
+import org.dronemap.sim.flight.CruiseSpeeds;
+import org.dronemap.sim.flight.FlightEvent;
+import org.dronemap.sim.flight.MissionLegs;
+import org.dronemap.sim.flight.MissionManoeuvre;
+import org.dronemap.sim.flight.SimulatedCraft;
+import org.dronemap.sim.flight.SimulatedMission;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The stored mission of a simulated ArduPilot vehicle and how far it is. The number 0 is home, so the first item is 1;
+ * another mode than AUTO stops the mission, and AUTO goes on with the same item. Owned by its vehicle.
+ */
+public final class ArduPilotMission {
+    private static final int NONE = 1;
+    private static final int NOT_STARTED = 2;
+    private static final int ACTIVE = 3;
+    private static final int PAUSED = 4;
+    private static final int COMPLETE = 5;
+
+    private final SimulatedCraft craft;
+    private final SimulatedMission plan;
+    private final Consumer<FlightEvent> events;
+    private @Nullable MissionManoeuvre flown;
+    private int resumeItem;
+    private boolean completed;
+    private boolean paused;
+
+    public ArduPilotMission(SimulatedCraft craft, SimulatedMission plan, Consumer<FlightEvent> events) {
+        this.craft = craft;
+        this.plan = plan;
+        this.events = events;
+    }
+
+    /** True when there is nothing beside home. */
+    public boolean isEmpty() {
+        return plan.size() <= 1;
+    }
+
+    /** Goes on with the item that it stopped at, or begins. */
+    public MissionManoeuvre start(CruiseSpeeds cruise, MissionLegs legs) {
+        completed = false;
+        paused = false;
+        flown = new MissionManoeuvre(plan, cruise, legs, firstItem(), this::handle);
+        return flown;
+    }
+
+    private void handle(FlightEvent event) {
+        if (event instanceof FlightEvent.MissionEnded) {
+            completed = true;
+        }
+        events.accept(event);
+    }
+
+    /** Another mode is chosen: it remembers the item. */
+    public void leave() {
+        if (flown != null) {
+            resumeItem = flown.ended() ? 0 : flown.index();
+            flown = null;
+        }
+        paused = false;
+    }
+
+    /** Begins anew the next time. */
+    public void reset() {
+        flown = null;
+        paused = false;
+        resumeItem = 0;
+    }
+
+    public void setPaused(boolean on) {
+        paused = on;
+    }
+
+    public boolean setCurrentItem(int index) {
+        if (index < 0 || index >= plan.size()) {
+            return false;
+        }
+        completed = false;
+        if (flown != null && !flown.ended()) {
+            flown.jumpTo(Math.max(1, index));
+        } else {
+            resumeItem = index;
+            flown = null;
+        }
+        return true;
+    }
+
+    /** Other items are stored. */
+    public void changed() {
+        completed = false;
+        if (flown == null) {
+            resumeItem = 0;
+        }
+    }
+
+    private int firstItem() {
+        return Math.max(1, resumeItem);
+    }
+
+    /** The next start begins with an item of that command. */
+    public boolean startsWith(int command) {
+        return isCommand(firstItem(), command);
+    }
+
+    /** The item that is flown is of that command. */
+    public boolean flies(int command) {
+        return flown != null && !flown.ended() && isCommand(flown.index(), command);
+    }
+
+    private boolean isCommand(int index, int command) {
+        return index < plan.size() && plan.item(index).command() == command;
+    }
+
+    /** The mission that is flown; null when none is. */
+    public @Nullable MissionManoeuvre flown() {
+        return flown;
+    }
+
+    /** True while the present item ends on the ground. */
+    public boolean landing() {
+        return flown != null && flown.landing();
+    }
+
+    public boolean ended() {
+        return flown != null && flown.ended();
+    }
+
+    /** As MISSION_CURRENT has it. */
+    public int currentItem() {
+        if (completed && craft.landed()) {
+            return 0;
+        }
+        return flown == null ? resumeItem : Math.min(flown.index(), Math.max(0, plan.size() - 1));
+    }
+
+    /** MISSION_STATE. */
+    public int state() {
+        if (isEmpty()) {
+            return NONE;
+        }
+        if (completed) {
+            return COMPLETE;
+        }
+        if (flown == null) {
+            return NOT_STARTED;
+        }
+        return paused ? PAUSED : ACTIVE;
+    }
+
+    /** A mission that is flown is not cleared. */
+    public boolean isActive() {
+        return state() == ACTIVE;
+    }
+}

@@ -1,0 +1,13 @@
+package org.dronemap.sim.flight;
+
+/** How a kind of simulated vehicle flies each item of its mission. */
+public interface MissionLegs {
+    /** {@code yaw} in radians is where a condition item had it look; NaN: nowhere in particular. */
+    Manoeuvre legFor(SimulatedMissionItem item, SimulatedCraft craft, double yaw);
+
+    /** How long it stays with an item that it has come to. */
+    long holdMillis(SimulatedMissionItem item);
+
+    /** What it does after the last item, which was flown as {@code last}. */
+    Manoeuvre afterwards(SimulatedCraft craft, Manoeuvre last);
+}
