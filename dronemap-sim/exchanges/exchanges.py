@@ -1,13 +1,11 @@
-"""The fixed list of exchanges: each drives one freshly started ArduCopter through one thing and lets it be recorded.
+"""The fixed list of exchanges with ArduCopter: each takes one freshly started vehicle through one thing.
 
 An exchange prepares (`ready`, `airborne` …), calls `start`, and from there on every line of its file is written.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
-
+from exchange import Exchange
 from fault_exchanges import (
     battery_critical,
     battery_low,
@@ -50,20 +48,6 @@ from mission_exchanges import (
     mission_upload,
     mission_upload_refused,
 )
-from vehicle_link import VehicleLink
-
-
-@dataclass(frozen=True)
-class Exchange:
-    """A name (also the file's), what it shows, the parameters set before it, and what is done."""
-
-    name: str
-    shows: str
-    run: Callable[[VehicleLink], None]
-    parameters: Mapping[str, float] = field(default_factory=dict)
-    from_power_up: bool = False
-    log_heartbeats: bool = False
-
 
 RTL_ON_LOW = {"BATT_LOW_VOLT": 11.5, "BATT_FS_LOW_ACT": 2, "BATT_CRT_VOLT": 10.5, "BATT_FS_CRT_ACT": 1}
 MOTOR = {"SIM_ENGINE_FAIL": 0}

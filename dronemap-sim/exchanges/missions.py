@@ -16,12 +16,14 @@ ITEM_REQUESTS = ("MISSION_REQUEST", "MISSION_REQUEST_INT")
 
 @dataclass(frozen=True)
 class Item:
-    """One mission item: degrees × 10⁷, metres above home."""
+    """One mission item: degrees × 10⁷, metres above home; the first two of its parameters."""
 
     command: int
     latitude: int
     longitude: int
     altitude_meters: float
+    param1: float = 0
+    param2: float = 0
 
 
 def fly_square(home: tuple[int, int]) -> list[Item]:
@@ -116,8 +118,8 @@ def send_item(link: VehicleLink, sequence: int, item: Item) -> None:
             item.command,
             0,
             1,
-            0,
-            0,
+            item.param1,
+            item.param2,
             0,
             0,
             item.latitude,

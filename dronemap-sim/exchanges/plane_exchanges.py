@@ -136,7 +136,6 @@ def mission_upload(link: VehicleLink) -> None:
         31000,
     ):
         upload_plane(link, [takeoff(40), PlaneItem(int(unknown), 300, 0, 60)], home)
-        link.pump_for(0.3)
     download(link)
     clear(link)
     link.pump_for(1)

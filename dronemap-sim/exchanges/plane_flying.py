@@ -26,13 +26,14 @@ class PlaneItem:
 
 
 def upload_plane(link: VehicleLink, items: list[PlaneItem], home: tuple[int, int]) -> int:
-    """The items with a home before them; the type of the MISSION_ACK."""
+    """The items with a home before them, and a moment to hear of them; the type of the MISSION_ACK."""
     link.clear_inbox()
     everything = [PlaneItem(int(mavlink.MAV_CMD_NAV_WAYPOINT)), *items]
     send_count(link, len(everything))
     while True:
         message = next_mission_message(link)
         if message.get_type() == "MISSION_ACK":
+            link.pump_for(0.5)
             return int(message.type)
         send_plane_item(link, message.seq, everything[message.seq], home)
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Record the fixed list of exchanges with a real ArduCopter as JSON lines, one file an exchange.
+"""Record the fixed list of exchanges with a real ArduPilot vehicle as JSON lines, one file an exchange.
 
-With --sitl the program starts a fresh software-in-the-loop ArduCopter for each exchange, several at a time, in real
-time. With --connect it records one exchange (--only NAME) with a vehicle that is already there, such as
-udpin:127.0.0.1:15700.
+With --sitl the program starts a fresh software-in-the-loop vehicle for each exchange, several at a time, in real time.
+--vehicle says which one it is. With --connect it records one exchange (--only NAME) with a vehicle that is already
+there, such as udpin:127.0.0.1:15700.
 """
 
 from __future__ import annotations
@@ -17,24 +17,25 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from pymavlink import mavutil
-
-from exchanges import EXCHANGES, Exchange
+from exchange import Exchange
 from transcript import Transcript
 from vehicle_link import VehicleLink
+from vehicles import VEHICLES, Vehicle
 
 HOME = "-35.363261,149.165230,584,353"
 RECORDED = Path(__file__).parent / "recorded"
-MODE_NAMES: dict[int, str] = dict(mavutil.mode_mapping_acm)
 
 
 def arguments() -> argparse.Namespace:
     """The command line."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    vehicle = parser.add_mutually_exclusive_group(required=True)
-    vehicle.add_argument("--sitl", type=Path, metavar="PATH", help="the arducopter binary")
-    vehicle.add_argument("--connect", metavar="ADDRESS", help="a pymavlink address; needs --only")
-    parser.add_argument("--defaults", type=Path, help="parameter defaults (default: copter.parm beside the binary)")
+    peer = parser.add_mutually_exclusive_group(required=True)
+    peer.add_argument("--sitl", type=Path, metavar="PATH", help="the vehicle's binary, such as arducopter")
+    peer.add_argument("--connect", metavar="ADDRESS", help="a pymavlink address; needs --only")
+    parser.add_argument("--vehicle", choices=VEHICLES, default="copter", help="which one it is (default copter)")
+    parser.add_argument(
+        "--defaults", type=Path, help="parameter defaults (default: copter.parm and the like beside it)"
+    )
     parser.add_argument("--only", action="append", metavar="NAME", help="record this exchange (may be repeated)")
     parser.add_argument("--jobs", type=int, default=8, help="vehicles at the same time (default 8)")
     parser.add_argument(
@@ -45,11 +46,11 @@ def arguments() -> argparse.Namespace:
     return parser.parse_args()
 
 
-def chosen(names: list[str] | None) -> list[Exchange]:
-    """The exchanges asked for, all by default."""
+def chosen(vehicle: Vehicle, names: list[str] | None) -> list[Exchange]:
+    """The exchanges asked for, all of the vehicle by default."""
     if not names:
-        return list(EXCHANGES)
-    by_name = {exchange.name: exchange for exchange in EXCHANGES}
+        return list(vehicle.exchanges)
+    by_name = {exchange.name: exchange for exchange in vehicle.exchanges}
     unknown = sorted(set(names) - by_name.keys())
     if unknown:
         sys.exit(f"no exchange is called {', '.join(unknown)}; there are {', '.join(by_name)}")
@@ -57,10 +58,12 @@ def chosen(names: list[str] | None) -> list[Exchange]:
 
 
 @contextlib.contextmanager
-def running(sitl: Path, defaults: Path, port: int, folder: str) -> Iterator[None]:
+def running(options: argparse.Namespace, port: int, folder: str) -> Iterator[None]:
     """A software-in-the-loop vehicle that talks to `port` on this machine, until the block ends."""
+    vehicle = VEHICLES[options.vehicle]
+    defaults = options.defaults or options.sitl.parent / vehicle.defaults
     command = [
-        str(sitl.resolve()), "--wipe", "--model", "+", "--speedup", "1",
+        str(options.sitl.resolve()), "--wipe", "--model", vehicle.model, "--speedup", "1",
         "--defaults", str(defaults.resolve()), "--home", HOME, "--rc-in-port", str(port + 1),
         "--serial0", f"udpclient:127.0.0.1:{port}", "--serial1", "none", "--serial2", "none",
     ]  # fmt: skip
@@ -74,9 +77,10 @@ def running(sitl: Path, defaults: Path, port: int, folder: str) -> Iterator[None
         process.wait(timeout=10)
 
 
-def record(exchange: Exchange, address: str, out: Path) -> None:
+def record(exchange: Exchange, address: str, options: argparse.Namespace) -> None:
     """One exchange from the first heartbeat to the saved file."""
-    link = VehicleLink(address, MODE_NAMES)
+    mode_names = VEHICLES[options.vehicle].mode_names
+    link = VehicleLink(address, mode_names)
     try:
         link.wait_until("first HEARTBEAT", lambda: link.system_id != 0, 30)
         link.log_heartbeats = exchange.log_heartbeats
@@ -84,7 +88,7 @@ def record(exchange: Exchange, address: str, out: Path) -> None:
             link.request_rates()
             for name, value in exchange.parameters.items():
                 link.set_parameter(name, value)
-        link.transcript = Transcript(out / f"{exchange.name}.jsonl", MODE_NAMES)
+        link.transcript = Transcript(options.out / f"{exchange.name}.jsonl", mode_names)
         try:
             exchange.run(link)
         finally:
@@ -95,10 +99,9 @@ def record(exchange: Exchange, address: str, out: Path) -> None:
 
 def record_with_sitl(exchange: Exchange, port: int, options: argparse.Namespace) -> str | None:
     """One exchange with a vehicle of its own; what went wrong, or None."""
-    defaults = options.defaults or options.sitl.parent / "copter.parm"
     try:
-        with tempfile.TemporaryDirectory() as folder, running(options.sitl, defaults, port, folder):
-            record(exchange, f"udpin:127.0.0.1:{port}", options.out)
+        with tempfile.TemporaryDirectory() as folder, running(options, port, folder):
+            record(exchange, f"udpin:127.0.0.1:{port}", options)
     except Exception as problem:  # one broken exchange must not cost the others
         print(f"{exchange.name}: FAILED: {problem}", flush=True)
         return f"{exchange.name}: {problem}"
@@ -120,7 +123,7 @@ def record_all_with_sitl(selected: list[Exchange], options: argparse.Namespace) 
 def main() -> int:
     """0 when every exchange was recorded."""
     options = arguments()
-    selected = chosen(options.only)
+    selected = chosen(VEHICLES[options.vehicle], options.only)
     if options.list:
         for exchange in selected:
             print(f"{exchange.name}: {exchange.shows}")
@@ -129,7 +132,7 @@ def main() -> int:
         return 1 if record_all_with_sitl(selected, options) else 0
     if len(selected) != 1:
         sys.exit("--connect records one exchange with one vehicle: name it with --only")
-    record(selected[0], options.connect, options.out)
+    record(selected[0], options.connect, options)
     return 0
 
 

@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /**
- * Says to the simulated vehicle, at the same times, what was said to a real ArduCopter, and compares what comes back: modes,
+ * Says to the simulated vehicle, at the same times, what was said to a real one, and compares what comes back: modes,
  * result codes, mission answers and sentences in the same order, each within two seconds plus a tenth of the time gone by.
  */
 class RecordedExchangesTest {

@@ -11,12 +11,17 @@ import java.util.regex.Pattern;
 
 /** One line of a recording: a flat JSON object. */
 record RecordedLine(Map<String, String> fields) {
-    private static final Path RECORDED = Path.of("exchanges", "recorded");
+    private static final Path EXCHANGES = Path.of("exchanges");
     private static final Pattern FIELD = Pattern.compile("\"(\\w+)\": (?:\"([^\"]*)\"|([^,}\\[]+))");
 
     static List<RecordedLine> read(String exchange) {
+        return readFile("recorded/" + exchange);
+    }
+
+    /** A file among the exchanges, its name without the ending. */
+    static List<RecordedLine> readFile(String name) {
         try {
-            return parse(Files.readAllLines(RECORDED.resolve(exchange + ".jsonl")));
+            return parse(Files.readAllLines(EXCHANGES.resolve(name + ".jsonl")));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

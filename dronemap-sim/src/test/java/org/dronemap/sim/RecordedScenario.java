@@ -14,10 +14,9 @@ import org.dronemap.mavlink.message.VfrHud;
 
 /** One recorded exchange: how the vehicle is brought to where it began, and what was said and answered from then on. */
 final class RecordedScenario {
-    private static final String HOME = "-35.3632610,149.1652299,584.05";
     private static final int HOME_LATITUDE = -353_632_610;
     private static final int HOME_LONGITUDE = 1_491_652_299;
-    private static final String[] OPTIONS = {"--home", HOME, "--stick", "low"};
+    private static final String REAL_READY_SECONDS = "40.4";
 
     private final List<RecordedLine> lines;
     private final VehicleTestBench bench;
@@ -31,7 +30,10 @@ final class RecordedScenario {
         // Nothing said before the real one had booted is replayed: it forgets that when it is ready.
         this.begin = fromPowerUp ? millisOf(all, "ArduPilot Ready") : 0;
         this.lines = all.stream().filter(line -> line.millis() >= begin).toList();
-        this.bench = fromPowerUp ? new VehicleTestBench(withReadyAfter()) : standingOrFlying(height);
+        RecordedVehicle vehicle = RecordedVehicle.of(exchange);
+        this.bench = fromPowerUp
+                ? new VehicleTestBench(vehicle.optionsReadyAfter(REAL_READY_SECONDS))
+                : standingOrFlying(height, vehicle.options());
         prepare(exchange.preparation);
         if (height > 0) {
             flyToWhereItBegan(height);
@@ -42,10 +44,6 @@ final class RecordedScenario {
         this.start = bench.now() - begin;
     }
 
-    private static String[] withReadyAfter() {
-        return new String[] {"--home", HOME, "--stick", "low", "--ready-after", "40.4"};
-    }
-
     private static long millisOf(List<RecordedLine> lines, String text) {
         return lines.stream()
                 .filter(line -> line.text("text").equals(text))
@@ -54,8 +52,8 @@ final class RecordedScenario {
                 .orElseThrow();
     }
 
-    private static VehicleTestBench standingOrFlying(double height) {
-        return height > 0 ? VehicleTestBench.flying(height, OPTIONS) : VehicleTestBench.ready(OPTIONS);
+    private static VehicleTestBench standingOrFlying(double height, String[] options) {
+        return height > 0 ? VehicleTestBench.flying(height, options) : VehicleTestBench.ready(options);
     }
 
     private void prepare(String preparation) {

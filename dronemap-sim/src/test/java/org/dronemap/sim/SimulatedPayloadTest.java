@@ -120,20 +120,23 @@ class SimulatedPayloadTest {
                 bench.item(0, 16, 0, 0, 0),
                 bench.item(1, 22, 0, 0, 20),
                 bench.item(2, 16, 40, 0, 20),
-                order(bench, 3, 195, 0, 0),
+                lookHome(bench, 3),
                 order(bench, 4, 183, 9, 1_900),
                 order(bench, 5, 203, 0, 0),
                 order(bench, 6, 93, 6, 0),
-                order(bench, 7, 197, 0, 0),
+                order(bench, 7, 201, 0, 0),
                 bench.item(8, 16, 80, 0, 20),
                 bench.item(9, 20, 0, 0, 0));
     }
 
     private static MissionItemInt order(VehicleTestBench bench, int seq, int command, float first, float second) {
+        int x = command == 203 ? 1 : 0;
+        return new MissionItemInt(1, 1, seq, 2, command, 0, 1, first, second, 0, 0, x, 0, 0, 0);
+    }
+
+    private static MissionItemInt lookHome(VehicleTestBench bench, int seq) {
         MissionItemInt home = bench.item(seq, 16, 0, 0, 0);
-        int x = command == 203 ? 1 : command == 195 ? home.x() : 0;
-        int y = command == 195 ? home.y() : 0;
-        return new MissionItemInt(1, 1, seq, command == 195 ? 3 : 2, command, 0, 1, first, second, 0, 0, x, y, 0, 0);
+        return new MissionItemInt(1, 1, seq, 3, 201, 0, 1, 0, 0, 0, 0, home.x(), home.y(), 0, 0);
     }
 
     private static void fly(VehicleTestBench bench) {

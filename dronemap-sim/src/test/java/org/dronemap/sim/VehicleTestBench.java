@@ -3,6 +3,7 @@ package org.dronemap.sim;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameSigner;
@@ -114,6 +115,15 @@ final class VehicleTestBench {
 
     long count(int messageId) {
         return heard.stream().filter(h -> h.frame().messageId() == messageId).count();
+    }
+
+    /** The last message of that kind. */
+    <T> T last(int messageId, Function<Frame, T> decoder) {
+        return heard.stream()
+                .filter(h -> h.frame().messageId() == messageId)
+                .reduce((earlier, later) -> later)
+                .map(h -> decoder.apply(h.frame()))
+                .orElseThrow(() -> new AssertionError("no message " + messageId + " was heard"));
     }
 
     Heartbeat beat() {

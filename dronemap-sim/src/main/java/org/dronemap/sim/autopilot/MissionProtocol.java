@@ -23,7 +23,6 @@ final class MissionProtocol {
     private static final int ERROR = 1;
     private static final int UNSUPPORTED = 3;
     private static final int NO_SPACE = 4;
-    private static final int INVALID_PARAM5 = 10;
     private static final int INVALID_SEQUENCE = 13;
     private static final int DENIED = 14;
     private static final int CANCELLED = 15;
@@ -168,8 +167,8 @@ final class MissionProtocol {
             }
             return;
         }
-        SimulatedMissionItem item = toItem(message);
-        int wrong = check(item);
+        SimulatedMissionItem item = MissionItemMessages.read(message);
+        int wrong = autopilot.missionItems().judge(item, total - 1);
         if (wrong != ACCEPTED && !(expected == 0 && style.firstItemIsHome())) {
             receiving = false;
             acknowledge(wrong, 0);
@@ -187,31 +186,17 @@ final class MissionProtocol {
 
     private void keep(SimulatedMissionItem item) {
         if (!style.overwritesInPlace()) {
-            arriving.add(item);
+            arriving.add(kept(item));
         } else if (expected == 0 && style.firstItemIsHome()) {
             plan.put(0, SimulatedMissionItem.home(autopilot.craft().home()));
         } else {
-            plan.put(expected, item);
+            plan.put(expected, kept(item));
         }
     }
 
-    private static int check(SimulatedMissionItem item) {
-        if (!item.isRunnable()) {
-            return UNSUPPORTED;
-        }
-        boolean offEarth = Math.abs((long) item.x()) > 900_000_000L || Math.abs((long) item.y()) > 1_800_000_000L;
-        return item.isNavigation() && offEarth ? INVALID_PARAM5 : ACCEPTED;
-    }
-
-    private SimulatedMissionItem toItem(MissionItemInt message) {
-        SimulatedMissionItem item = MissionItemMessages.read(message);
-        boolean placeless = item.command() == SimulatedMissionItem.RETURN_TO_LAUNCH;
-        return item.with(placeless ? 0 : asPlainFrame(item.frame()), alterations.keptAltitude(message.seq(), item.z()));
-    }
-
-    /** The INT frames mean the same and read back as the plain ones. */
-    private static int asPlainFrame(int frame) {
-        return frame == 6 ? 3 : frame == 5 ? 0 : frame;
+    private SimulatedMissionItem kept(SimulatedMissionItem item) {
+        SimulatedMissionItem kept = autopilot.missionItems().keep(item);
+        return kept.with(kept.frame(), alterations.keptAltitude(expected, kept.z()));
     }
 
     private void finish() {

@@ -5,6 +5,7 @@ import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.ManualControl;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
+import org.dronemap.sim.autopilot.items.MissionItemStorage;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.SimulatedMission;
 import org.dronemap.sim.flight.SimulatedParameters;
@@ -77,6 +78,9 @@ public interface SimulatedAutopilot {
     SimulatedCommandResult refuseInterval(int messageId);
 
     MissionProtocolStyle missionStyle();
+
+    /** Which mission items it takes, and what it keeps of them. */
+    MissionItemStorage missionItems();
 
     /** The wire's number of the item that is flown or comes next. */
     int currentItem();

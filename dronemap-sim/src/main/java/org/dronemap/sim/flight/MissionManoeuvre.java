@@ -67,8 +67,14 @@ public final class MissionManoeuvre implements Manoeuvre {
     }
 
     private void begin(SimulatedCraft craft) {
-        while (index < plan.size() && !plan.item(index).isNavigation()) {
+        while (index < plan.size() && !legs.flies(plan.item(index))) {
             SimulatedMissionItem order = plan.item(index);
+            if (order.isNavigation()) {
+                // What the autopilot stores and this vehicle cannot do is passed over, not flown to somewhere.
+                events.accept(new FlightEvent.Text(TextSeverity.INFO, "Skipping invalid cmd #" + order.command()));
+                index++;
+                continue;
+            }
             events.accept(new FlightEvent.ItemStarted(index, order.typeName()));
             execute(order, craft);
             events.accept(new FlightEvent.ItemReached(index));
@@ -97,6 +103,8 @@ public final class MissionManoeuvre implements Manoeuvre {
             lookedAt = craft.targetOf(order);
         } else if (order.command() == SimulatedMissionItem.LOOK_AHEAD) {
             lookedAt = null;
+        } else if (order.command() == SimulatedMissionItem.SET_ROI) {
+            lookedAt = order.hasPlace() ? craft.targetOf(order) : null;
         } else {
             events.accept(new FlightEvent.Ordered(order));
         }

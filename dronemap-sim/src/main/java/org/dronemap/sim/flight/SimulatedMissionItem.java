@@ -36,6 +36,7 @@ public record SimulatedMissionItem(
     public static final int LAND_START = 189;
     public static final int LOOK_AT = 195;
     public static final int LOOK_AHEAD = 197;
+    public static final int SET_ROI = 201;
     public static final int DIGICAM_CONTROL = 203;
 
     public static final int FRAME_AMSL = 0;
@@ -66,10 +67,14 @@ public record SimulatedMissionItem(
     }
 
     public boolean isRunnable() {
+        return isFlown() || isCondition() || isSetting();
+    }
+
+    /** A navigation item that every simulated vehicle can fly. */
+    public boolean isFlown() {
         return switch (command) {
             case WAYPOINT, LOITER_UNLIMITED, LOITER_TIME, RETURN_TO_LAUNCH, LAND, TAKEOFF, DELAY -> true;
-            case LOITER_TURNS, LOITER_TO_ALTITUDE, VTOL_TAKEOFF, VTOL_LAND -> true;
-            default -> isCondition() || isSetting();
+            default -> false;
         };
     }
 
@@ -114,7 +119,7 @@ public record SimulatedMissionItem(
             case CHANGE_SPEED -> "ChangeSpeed";
             case SET_SERVO -> "SetServo";
             case LAND_START -> "LandStart";
-            case LOOK_AT, LOOK_AHEAD -> "ROI";
+            case LOOK_AT, LOOK_AHEAD, SET_ROI -> "ROI";
             case DIGICAM_CONTROL -> "DigiCamCtrl";
             default -> "Cmd" + command;
         };

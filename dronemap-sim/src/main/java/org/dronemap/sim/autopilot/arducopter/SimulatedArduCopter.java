@@ -7,6 +7,8 @@ import org.dronemap.mavlink.message.ManualControl;
 import org.dronemap.sim.autopilot.ardupilot.ArduPilotMode;
 import org.dronemap.sim.autopilot.ardupilot.ArmingChecks;
 import org.dronemap.sim.autopilot.ardupilot.SimulatedArduPilot;
+import org.dronemap.sim.autopilot.items.ArduPilotItemStorage;
+import org.dronemap.sim.autopilot.items.MissionItemStorage;
 import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.SimulatedMissionItem;
@@ -17,6 +19,7 @@ import org.jspecify.annotations.Nullable;
  * A simulated ArduCopter: arming checks, flight modes and fail-safes. Orders are taken apart by {@link CopterCommands}.
  */
 public final class SimulatedArduCopter extends SimulatedArduPilot {
+    private static final MissionItemStorage ITEMS = ArduPilotItemStorage.of("copter");
     private static final long FIRMWARE = 4L << 24 | 5 << 16 | 5 << 8 | 255;
     private static final long LANDED_DISARM_MILLIS = 400;
 
@@ -169,6 +172,11 @@ public final class SimulatedArduCopter extends SimulatedArduPilot {
     public String reachedText(int index) {
         boolean waypoint = index < plan().size() && plan().item(index).command() == SimulatedMissionItem.WAYPOINT;
         return waypoint ? "Reached command #" + index : "";
+    }
+
+    @Override
+    public MissionItemStorage missionItems() {
+        return ITEMS;
     }
 
     @Override

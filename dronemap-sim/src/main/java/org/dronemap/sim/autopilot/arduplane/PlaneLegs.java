@@ -152,6 +152,13 @@ final class PlaneLegs implements MissionLegs {
     }
 
     @Override
+    public boolean flies(SimulatedMissionItem item) {
+        return item.isFlown()
+                || item.command() == SimulatedMissionItem.LOITER_TURNS
+                || item.command() == SimulatedMissionItem.LOITER_TO_ALTITUDE;
+    }
+
+    @Override
     public long holdMillis(SimulatedMissionItem item) {
         return 0;
     }

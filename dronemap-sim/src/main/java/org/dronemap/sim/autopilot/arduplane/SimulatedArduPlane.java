@@ -7,6 +7,8 @@ import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.sim.autopilot.ardupilot.ArduPilotMode;
 import org.dronemap.sim.autopilot.ardupilot.ArmingChecks;
 import org.dronemap.sim.autopilot.ardupilot.SimulatedArduPilot;
+import org.dronemap.sim.autopilot.items.ArduPilotItemStorage;
+import org.dronemap.sim.autopilot.items.MissionItemStorage;
 import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.TextSeverity;
@@ -17,6 +19,7 @@ import org.jspecify.annotations.Nullable;
  * mission alone. Orders are taken apart by {@link PlaneCommands}.
  */
 public final class SimulatedArduPlane extends SimulatedArduPilot {
+    private static final MissionItemStorage ITEMS = ArduPilotItemStorage.of("plane");
     private static final long FIRMWARE = 4L << 24 | 5 << 16 | 6 << 8 | 255;
     private static final int TYPE_FIXED_WING = 1;
     private static final int ARMED_FLAG = 128;
@@ -134,6 +137,11 @@ public final class SimulatedArduPlane extends SimulatedArduPilot {
         }
         flight.enter(wanted);
         return true;
+    }
+
+    @Override
+    public MissionItemStorage missionItems() {
+        return ITEMS;
     }
 
     @Override

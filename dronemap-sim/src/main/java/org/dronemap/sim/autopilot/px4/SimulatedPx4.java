@@ -19,6 +19,8 @@ import org.dronemap.sim.autopilot.MissionProtocolStyle;
 import org.dronemap.sim.autopilot.SimulatedAutopilot;
 import org.dronemap.sim.autopilot.SimulatedCommandResult;
 import org.dronemap.sim.autopilot.SimulatedPayload;
+import org.dronemap.sim.autopilot.items.MissionItemStorage;
+import org.dronemap.sim.autopilot.items.WholeItemStorage;
 import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.SimulatedMission;
@@ -27,6 +29,7 @@ import org.dronemap.sim.flight.TextSeverity;
 
 /** A simulated PX4 multicopter: the commands it accepts, its flight modes and fail-safes. */
 public final class SimulatedPx4 implements SimulatedAutopilot {
+    private static final MissionItemStorage ITEMS = new WholeItemStorage();
     private static final MissionProtocolStyle STYLE =
             new MissionProtocolStyle(false, false, true, 500, 5_000, 500, false);
     private static final long FIRMWARE = 1L << 24 | 14 << 16 | 3 << 8 | 255;
@@ -290,6 +293,11 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
     @Override
     public MissionProtocolStyle missionStyle() {
         return STYLE;
+    }
+
+    @Override
+    public MissionItemStorage missionItems() {
+        return ITEMS;
     }
 
     @Override

@@ -1,0 +1,27 @@
+"""The vehicles that exchanges are recorded of: how each is started in software-in-the-loop, and its exchanges."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from pymavlink import mavutil
+
+from exchange import Exchange
+from exchanges import EXCHANGES
+
+
+@dataclass(frozen=True)
+class Vehicle:
+    """One kind: the model of its physics, its file of defaults, the names of its modes, the exchanges with it."""
+
+    model: str
+    defaults: str
+    mode_names: Mapping[int, str]
+    exchanges: tuple[Exchange, ...]
+
+
+VEHICLES: Mapping[str, Vehicle] = {
+    "copter": Vehicle("+", "copter.parm", dict(mavutil.mode_mapping_acm), EXCHANGES),
+}
+ALL_EXCHANGES: tuple[Exchange, ...] = tuple(exchange for vehicle in VEHICLES.values() for exchange in vehicle.exchanges)
