@@ -15,6 +15,7 @@ import org.dronemap.sim.physics.BatteryModel;
 import org.dronemap.sim.physics.FixedWingBody;
 import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.NeuPosition;
+import org.dronemap.sim.physics.QuadPlaneBody;
 import org.dronemap.sim.physics.WindModel;
 
 /** Builds the simulated fleet: vehicles on a square grid, ten metres apart, north-east of home. */
@@ -36,6 +37,11 @@ final class SimulatedFleetBuilder {
             "\n\nInit ArduPlane V4.5.6 (simulated)\n\n",
             () -> new FixedWingBody(RUNWAY),
             SimulatedArduPlane::new);
+    static final AutopilotKind QUADPLANE = new AutopilotKind(
+            "quadplane",
+            "\n\nInit ArduPlane V4.5.6 (simulated)\n\n",
+            () -> new QuadPlaneBody(RUNWAY),
+            SimulatedArduPlane::quadPlane);
 
     private final SimulatorOptions options;
     private final long epochMicros;
@@ -90,6 +96,7 @@ final class SimulatedFleetBuilder {
         return switch (options.personality().toLowerCase(Locale.ROOT)) {
             case "px4" -> PX4;
             case "arduplane" -> ARDUPLANE;
+            case "quadplane" -> QUADPLANE;
             case "mixed" -> index % 2 == 0 ? ARDUCOPTER : PX4;
             default -> ARDUCOPTER;
         };

@@ -56,7 +56,7 @@ public final class FixedWingBody implements VehicleBody {
         velocityNorth = other.velocityNorth();
         velocityEast = other.velocityEast();
         velocityUp = other.velocityUp();
-        airspeed = velocityNorth * Math.cos(other.yaw()) + velocityEast * Math.sin(other.yaw());
+        airspeed = (velocityNorth * Math.cos(other.yaw()) + velocityEast * Math.sin(other.yaw())) / TRUE_SPEED;
         roll = other.roll();
         pitch = other.pitch();
         yaw = other.yaw();

@@ -32,19 +32,21 @@ final class PlaneFlight implements ArduPilotFlight {
     private final CruiseSpeeds cruise = new CruiseSpeeds(0, 0, 0, 0);
     private PlaneMode mode = PlaneMode.MANUAL;
     private Manoeuvre manoeuvre;
+    private final @Nullable PlaneLift lift;
     private @Nullable PlaneLegs legs;
     private @Nullable Circle guided;
     private int reachedItem = NONE;
     private @Nullable PlaneMode next;
     private int stick = STICK_MID;
 
-    /** {@code changer} changes the mode when the flight itself asks for another one. */
+    /** {@code changer} changes the mode when the flight itself asks for another one; {@code lifts}: it has lift motors. */
     PlaneFlight(
             SimulatedCraft craft,
             SimulatedMission plan,
             SimulatedParameters parameters,
             Consumer<FlightEvent> events,
-            Consumer<PlaneMode> changer) {
+            Consumer<PlaneMode> changer,
+            boolean lifts) {
         this.craft = craft;
         this.plan = plan;
         this.parameters = parameters;
@@ -52,6 +54,7 @@ final class PlaneFlight implements ArduPilotFlight {
         this.changer = changer;
         this.mission = new ArduPilotMission(craft, plan, this::handle);
         this.manoeuvre = new PilotFlight(false);
+        this.lift = lifts ? new PlaneLift(craft, parameters, cruise, events) : null;
         readSpeeds();
     }
 
@@ -66,23 +69,33 @@ final class PlaneFlight implements ArduPilotFlight {
 
     @Override
     public MotionSetpoint fly(long nowMillis) {
-        estimate.check(craft, false, nowMillis);
-        MotionSetpoint setpoint = manoeuvre.fly(craft, nowMillis);
+        estimate.check(craft, lift != null && lift.lifting(), nowMillis);
         restartLanding();
+        MotionSetpoint setpoint = manoeuvre.fly(craft, nowMillis);
         reportPlace();
         tellReached();
         if (next != null) {
-            PlaneMode chosen = next;
+            PlaneMode wanted = next;
             next = null;
-            changer.accept(chosen);
+            changer.accept(wanted);
         }
-        return craft.body().onGround() && !mayPower() ? new MotionSetpoint.Glide() : setpoint;
+        MotionSetpoint chosen = craft.body().onGround() && !mayPower() ? new MotionSetpoint.Glide() : setpoint;
+        if (lift != null) {
+            lift.check(chosen, mode, climbsOnLift(), nowMillis);
+        }
+        return chosen;
+    }
+
+    private boolean climbsOnLift() {
+        return manoeuvre instanceof LiftClimb || mission.flies(SimulatedMissionItem.VTOL_TAKEOFF);
     }
 
     /** On the ground only a take-off, and a landing that is broken off, has power. */
     private boolean mayPower() {
         PlaneLanding landing = landing();
-        return manoeuvre instanceof TakeOffMode
+        return mode.lifts()
+                || climbsOnLift()
+                || manoeuvre instanceof TakeOffMode
                 || mission.flies(SimulatedMissionItem.TAKEOFF)
                 || (landing != null && landing.isGoingAround());
     }
@@ -140,7 +153,10 @@ final class PlaneFlight implements ArduPilotFlight {
             case RTL -> new Circle(returnPlace(), returnRadius(), cruise);
             case GUIDED -> guide(craft.body().position(), 0);
             case LOITER, CIRCLE -> circle(craft.body().position(), 0);
-            default -> new PilotFlight(chosen.pilotHoldsHeight());
+            default ->
+                lift != null && chosen.lifts()
+                        ? lift.forMode(chosen, stick < STICK_LOW)
+                        : new PilotFlight(chosen.pilotHoldsHeight());
         };
     }
 
@@ -150,6 +166,7 @@ final class PlaneFlight implements ArduPilotFlight {
                 parameters,
                 cruise,
                 estimate,
+                lift,
                 new PlaneLegs.MissionLink(mission::currentItem, () -> next = PlaneMode.RTL, events));
         legs = begun;
         return mission.start(cruise, begun);
@@ -233,6 +250,15 @@ final class PlaneFlight implements ArduPilotFlight {
         manoeuvre = guide(place, radius);
     }
 
+    /** GUIDED: up on its lift motors; only of a vehicle that has some. */
+    void climbTo(double metersAboveHome) {
+        if (lift == null) {
+            throw new IllegalStateException("an aeroplane without lift motors cannot climb on them");
+        }
+        guided = null;
+        manoeuvre = lift.climbTo(metersAboveHome);
+    }
+
     /** GUIDED: the height alone is another one. */
     void changeHeight(double up) {
         if (manoeuvre instanceof Circle circle) {
@@ -274,6 +300,12 @@ final class PlaneFlight implements ArduPilotFlight {
                 return;
             }
         }
+    }
+
+    /** Its lift motors; null when it has none. */
+    @Nullable
+    PlaneLift lift() {
+        return lift;
     }
 
     boolean flies() {

@@ -26,6 +26,7 @@ final class PlaneLegs implements MissionLegs {
     private final IntSupplier current;
     private final Runnable returnToLaunch;
     private final FlyingEstimate estimate;
+    private final @Nullable PlaneLift lift;
     private final Consumer<FlightEvent> events;
     private @Nullable NeuPosition last;
     private @Nullable PlaneLanding landing;
@@ -36,11 +37,13 @@ final class PlaneLegs implements MissionLegs {
             SimulatedParameters parameters,
             CruiseSpeeds cruise,
             FlyingEstimate estimate,
+            @Nullable PlaneLift lift,
             MissionLink link) {
         this.plan = plan;
         this.parameters = parameters;
         this.cruise = cruise;
         this.estimate = estimate;
+        this.lift = lift;
         this.current = link.current();
         this.returnToLaunch = link.returnToLaunch();
         this.events = link.events();
@@ -57,6 +60,12 @@ final class PlaneLegs implements MissionLegs {
         NeuPosition from = last == null ? here : last;
         landing = null;
         last = item.command() == SimulatedMissionItem.WAYPOINT ? target : null;
+        if (lift != null && item.command() == SimulatedMissionItem.VTOL_TAKEOFF) {
+            return lift.climbTo(item.up(craft.home()));
+        }
+        if (lift != null && item.command() == SimulatedMissionItem.VTOL_LAND) {
+            return lift.landAt(item.hasPlace() ? target : here, craft.aboveHome());
+        }
         return switch (item.command()) {
             case SimulatedMissionItem.TAKEOFF ->
                 new MissionTakeOff(item.up(craft.home()), estimate.isFlying(craft.armed()), events);
@@ -153,9 +162,11 @@ final class PlaneLegs implements MissionLegs {
 
     @Override
     public boolean flies(SimulatedMissionItem item) {
-        return item.isFlown()
-                || item.command() == SimulatedMissionItem.LOITER_TURNS
-                || item.command() == SimulatedMissionItem.LOITER_TO_ALTITUDE;
+        return switch (item.command()) {
+            case SimulatedMissionItem.LOITER_TURNS, SimulatedMissionItem.LOITER_TO_ALTITUDE -> true;
+            case SimulatedMissionItem.VTOL_TAKEOFF, SimulatedMissionItem.VTOL_LAND -> lift != null;
+            default -> item.isFlown();
+        };
     }
 
     @Override

@@ -11,6 +11,7 @@ import org.dronemap.sim.autopilot.items.ArduPilotItemStorage;
 import org.dronemap.sim.autopilot.items.MissionItemStorage;
 import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.SimulatedCraft;
+import org.dronemap.sim.flight.SimulatedParameters;
 import org.dronemap.sim.flight.TextSeverity;
 import org.jspecify.annotations.Nullable;
 
@@ -42,16 +43,35 @@ public final class SimulatedArduPlane extends SimulatedArduPilot {
             Consumer<FlightEvent> events,
             Consumer<Message> out,
             Runnable modeAnnouncer) {
-        super(
-                craft,
-                PlaneParameters.defaults(systemId, craft.battery().capacityMilliampHours(), false),
-                events,
-                out,
-                modeAnnouncer);
-        this.flight = new PlaneFlight(craft, plan(), parameters(), events, this::change);
+        this(craft, parameters(craft, systemId, false), events, out, modeAnnouncer, false);
+    }
+
+    private SimulatedArduPlane(
+            SimulatedCraft craft,
+            SimulatedParameters parameters,
+            Consumer<FlightEvent> events,
+            Consumer<Message> out,
+            Runnable modeAnnouncer,
+            boolean lifts) {
+        super(craft, parameters, events, out, modeAnnouncer);
+        this.flight = new PlaneFlight(craft, plan(), parameters, events, this::change, lifts);
         this.failsafes = new PlaneFailsafes(this, battery());
         this.checks = new PlaneArmingChecks(craft, parameters(), plan(), battery(), flight);
         this.orders = new PlaneCommands(this, flight);
+    }
+
+    /** One with lift motors beside its wings: a QuadPlane. */
+    public static SimulatedArduPlane quadPlane(
+            SimulatedCraft craft,
+            int systemId,
+            Consumer<FlightEvent> events,
+            Consumer<Message> out,
+            Runnable modeAnnouncer) {
+        return new SimulatedArduPlane(craft, parameters(craft, systemId, true), events, out, modeAnnouncer, true);
+    }
+
+    private static SimulatedParameters parameters(SimulatedCraft craft, int systemId, boolean lifts) {
+        return PlaneParameters.defaults(systemId, craft.battery().capacityMilliampHours(), lifts);
     }
 
     @Override
@@ -101,16 +121,34 @@ public final class SimulatedArduPlane extends SimulatedArduPilot {
 
     /** It has lift motors. */
     boolean canLift() {
-        return false;
+        return flight.lift() != null;
     }
 
     /** NAV_TAKEOFF, which lift motors alone can follow. */
     boolean liftOff(double metersAboveHome) {
-        return false;
+        if (!canLift()) {
+            return false;
+        }
+        String wrong = flight.mode() != PlaneMode.GUIDED
+                ? "User Takeoff only in GUIDED mode"
+                : !craft().armed() ? "Must be armed for takeoff" : flight.flies() ? "Already flying - no takeoff" : "";
+        if (!wrong.isEmpty()) {
+            sendText(TextSeverity.INFO, wrong);
+            return false;
+        }
+        flight.climbTo(metersAboveHome);
+        sendText(TextSeverity.INFO, "VTOL Position1 d=0.0");
+        return true;
     }
 
     @Override
     protected void disarmWhenIdle() {
+        PlaneLift lift = flight.lift();
+        if (lift != null && craft().armed() && lift.landed()) {
+            sendText(TextSeverity.INFO, "Land complete");
+            disarmNow();
+            return;
+        }
         PlaneLanding landing = flight.landing();
         if (landing == null || !craft().armed() || !landing.flared() || flight.flies()) {
             return;
@@ -160,6 +198,12 @@ public final class SimulatedArduPlane extends SimulatedArduPilot {
     @Override
     public int landedState() {
         return flight.flies() ? IN_AIR : ON_GROUND;
+    }
+
+    @Override
+    public int vtolState() {
+        PlaneLift lift = flight.lift();
+        return lift == null ? 0 : lift.vtolState();
     }
 
     @Override
