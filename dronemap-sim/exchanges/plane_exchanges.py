@@ -252,7 +252,6 @@ def loiter_items(link: VehicleLink) -> None:
     home = from_the_ground(link)
     take_off_by_mode(link)
     loiters = [
-        takeoff(40),
         PlaneItem(int(mavlink.MAV_CMD_NAV_LOITER_TIME), 300, 0, 60, (10, 0, 0, 0)),
         PlaneItem(int(mavlink.MAV_CMD_NAV_LOITER_TURNS), 300, 400, 60, (1, 0, 0, 0)),
         PlaneItem(int(mavlink.MAV_CMD_NAV_LOITER_TO_ALT), -100, 400, 80, (0, 0, 0, 0)),
@@ -260,7 +259,7 @@ def loiter_items(link: VehicleLink) -> None:
     ]
     upload_plane(link, loiters, home)
     link.set_mode_and_acknowledge("AUTO")
-    at_item(link, 5, 240)
+    at_item(link, 4, 240)
     link.pump_for(40)
 
 

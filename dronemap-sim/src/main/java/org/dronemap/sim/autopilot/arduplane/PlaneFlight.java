@@ -30,7 +30,7 @@ final class PlaneFlight implements ArduPilotFlight {
     private final ArduPilotMission mission;
     private final FlyingEstimate estimate = new FlyingEstimate();
     private final CruiseSpeeds cruise = new CruiseSpeeds(0, 0, 0, 0);
-    private PlaneMode mode = PlaneMode.MANUAL;
+    private PlaneMode mode;
     private Manoeuvre manoeuvre;
     private final @Nullable PlaneLift lift;
     private @Nullable PlaneLegs legs;
@@ -55,6 +55,8 @@ final class PlaneFlight implements ArduPilotFlight {
         this.mission = new ArduPilotMission(craft, plan, this::handle);
         this.manoeuvre = new PilotFlight(false);
         this.lift = lifts ? new PlaneLift(craft, parameters, cruise, events) : null;
+        // As the switch of the remote control stood with each of the two that were recorded.
+        this.mode = lifts ? PlaneMode.FLY_BY_WIRE_A : PlaneMode.MANUAL;
         readSpeeds();
     }
 
