@@ -2,7 +2,10 @@ package org.dronemap.sim;
 
 import java.util.Locale;
 
-/** The recorded exchanges: at which height above home each began, and what had been done before. */
+/**
+ * The recorded exchanges: at which height above home each began, and what had been done before, such as parameters set
+ * (NAME=VALUE).
+ */
 enum RecordedExchange {
     ARMING_REFUSED(0, "power-up"),
     MODES_REFUSED(0, "power-up"),
@@ -37,7 +40,34 @@ enum RecordedExchange {
     GROUND_STATION_LOST(20, "ground station"),
     GROUND_STATION_LOST_BY_DEFAULT(20, ""),
     GROUND_STATION_LOST_IN_AUTO(20, "in AUTO, ground station"),
-    MOTOR_FAILURE(30, "");
+    MOTOR_FAILURE(30, ""),
+    PLANE_ARMING_REFUSED(0, "power-up"),
+    PLANE_MODES_ON_GROUND(0, ""),
+    PLANE_COMMANDS_ON_GROUND(0, ""),
+    PLANE_COMMANDS_IN_FLIGHT(0, ""),
+    PLANE_MISSION_UPLOAD(0, ""),
+    PLANE_TAKEOFF_MODE(0, ""),
+    PLANE_GUIDED(0, ""),
+    PLANE_SPEED(0, ""),
+    PLANE_MISSION_FLIGHT(0, "RTL_AUTOLAND=3"),
+    PLANE_MISSION_NOT_ARMABLE(0, ""),
+    PLANE_MISSION_TO_RTL(0, ""),
+    PLANE_MISSION_TO_ITS_END(0, ""),
+    PLANE_LOITER_ITEMS(0, ""),
+    PLANE_GO_AROUND(0, "RTL_AUTOLAND=3"),
+    PLANE_LAND_START(0, "RTL_AUTOLAND=3"),
+    PLANE_LAND_NOWHERE(0, ""),
+    PLANE_GROUND_STATION_LOST(0, "FS_GCS_ENABL=1 FS_LONG_ACTN=1"),
+    PLANE_GROUND_STATION_LOST_BY_DEFAULT(0, ""),
+    PLANE_GROUND_STATION_LOST_IN_AUTO(0, "FS_GCS_ENABL=1 RTL_AUTOLAND=3"),
+    PLANE_BATTERY_LOW(0, "BATT_LOW_VOLT=11.5 BATT_FS_LOW_ACT=1"),
+    QUADPLANE_MODES_ON_GROUND(0, ""),
+    QUADPLANE_GUIDED_TAKEOFF(0, ""),
+    QUADPLANE_GUIDED_FLIGHT(0, ""),
+    QUADPLANE_HOVER_MODES(0, ""),
+    QUADPLANE_MISSION_FLIGHT(0, ""),
+    QUADPLANE_RTL(0, ""),
+    QUADPLANE_GROUND_STATION_LOST(0, "FS_GCS_ENABL=1 FS_LONG_ACTN=1");
 
     final double height;
     final String preparation;

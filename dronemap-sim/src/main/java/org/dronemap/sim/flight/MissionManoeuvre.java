@@ -67,7 +67,7 @@ public final class MissionManoeuvre implements Manoeuvre {
     }
 
     private void begin(SimulatedCraft craft) {
-        while (index < plan.size() && !plan.item(index).isFlown()) {
+        while (index < plan.size() && !legs.flies(plan.item(index))) {
             SimulatedMissionItem order = plan.item(index);
             if (order.isNavigation()) {
                 // What the autopilot stores and this vehicle cannot do is passed over, not flown to somewhere.
