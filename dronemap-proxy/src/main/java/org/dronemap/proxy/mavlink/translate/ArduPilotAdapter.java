@@ -126,7 +126,8 @@ final class ArduPilotAdapter implements AutopilotAdapter {
 
     @Override
     public Capabilities capabilities() {
-        return Capabilities.of(can(), modes(), table.steering(), table.usual(), table.arming());
+        return Capabilities.of(can(), modes(), table.steering(), table.usual(), table.arming())
+                .with(MissionAbilityTable.arduPilot(kind));
     }
 
     /** What is not here it cannot. */

@@ -160,7 +160,7 @@ final class Px4Adapter implements AutopilotAdapter {
 
     @Override
     public Capabilities capabilities() {
-        return Capabilities.of(can(), modes(), STEERING, USUAL, ARMING);
+        return Capabilities.of(can(), modes(), STEERING, USUAL, ARMING).with(MissionAbilityTable.px4(kind));
     }
 
     /** What is not here it cannot. */
