@@ -11,8 +11,12 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.ReadLogs;
+import org.dronemap.core.command.SetFence;
+import org.dronemap.core.command.SetRallyPoints;
 import org.dronemap.core.command.VehicleLogSink;
 import org.dronemap.core.drone.AreaMap;
+import org.dronemap.core.drone.OnboardFence;
+import org.dronemap.core.drone.OnboardRallyPoints;
 import org.dronemap.core.drone.Picture;
 import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.event.DroneEvent;
@@ -47,10 +51,10 @@ class OnBoardFacesTest {
     }
 
     private Outcome obey(Command command) {
-        if (command instanceof Command.SetFence set) {
-            vehicle.says(new DroneEvent.FenceRead(set.zones()));
-        } else if (command instanceof Command.SetRallyPoints set) {
-            vehicle.says(new DroneEvent.RallyPointsRead(set.points()));
+        if (command instanceof SetFence set) {
+            vehicle.says(new DroneEvent.FenceRead(new OnboardFence(set.zones(), set.returnPoint(), List.of())));
+        } else if (command instanceof SetRallyPoints set) {
+            vehicle.says(new DroneEvent.RallyPointsRead(OnboardRallyPoints.of(set.points())));
         } else if (command instanceof ReadLogs) {
             vehicle.says(new DroneEvent.LogsRead(List.of(new VehicleLog(2, null, LOG.length()))));
         } else if (command instanceof Command.DownloadLog download) {
@@ -88,8 +92,10 @@ class OnBoardFacesTest {
         String zones = "{\"zones\":[{\"type\":\"polygon\",\"inside\":true,\"corners\":[" + CORNER
                 + ",{\"latitude\":47.41,\"longitude\":8.54},{\"latitude\":47.4,\"longitude\":8.56}]},"
                 + "{\"type\":\"circle\",\"inside\":false,\"center\":" + CORNER
-                + ",\"radius\":50.0}]}";
-        assertThat(operator.get(path + "/fence").raw().body()).isEqualTo("{\"zones\":null}");
+                + ",\"radius\":0.5}],\"returnPoint\":{\"latitude\":47.4,\"longitude\":8.545,\"altitude\":50.0,"
+                + "\"altitudeReference\":\"amsl\"},\"leftOut\":[]}";
+        assertThat(operator.get(path + "/fence").raw().body())
+                .isEqualTo("{\"zones\":null,\"returnPoint\":null,\"leftOut\":null}");
 
         succeeds(put("/fence", zones));
         assertThat(operator.get(path + "/fence").raw().body()).isEqualTo(zones);
@@ -99,7 +105,8 @@ class OnBoardFacesTest {
         assertThat(broken.text("field")).isEqualTo("zones[0].center.latitude");
         succeeds(delete("/fence"));
         succeeds(operator.post(path + "/fence/refresh", ""));
-        assertThat(operator.get(path + "/fence").raw().body()).isEqualTo("{\"zones\":[]}");
+        assertThat(operator.get(path + "/fence").raw().body())
+                .isEqualTo("{\"zones\":[],\"returnPoint\":null,\"leftOut\":[]}");
     }
 
     @Test
@@ -140,13 +147,45 @@ class OnBoardFacesTest {
 
     @Test
     void rallyPointsGoRoundAndAreTakenAway() {
-        String points = "{\"points\":[{\"latitude\":47.395,\"longitude\":8.545,\"altitude\":25.0}]}";
+        String points = "{\"points\":[" + point("home", 25) + "," + point("amsl", 430) + "," + point("terrain", 60)
+                + "],\"leftOut\":[]}";
 
         succeeds(put("/rally-points", points));
         assertThat(operator.get(path + "/rally-points").raw().body()).isEqualTo(points);
 
         succeeds(delete("/rally-points"));
-        assertThat(operator.get(path + "/rally-points").raw().body()).isEqualTo("{\"points\":[]}");
+        assertThat(operator.get(path + "/rally-points").raw().body()).isEqualTo("{\"points\":[],\"leftOut\":[]}");
+    }
+
+    private static String point(String reference, double altitude) {
+        return "{\"latitude\":47.395,\"longitude\":8.545,\"altitude\":" + altitude + ",\"altitudeReference\":\""
+                + reference + "\"}";
+    }
+
+    @Test
+    void aRallyPointWithoutAReferenceIsAboveHome() {
+        succeeds(put("/rally-points", "{\"points\":[{\"latitude\":47.395,\"longitude\":8.545,\"altitude\":-3}]}"));
+
+        assertThat(operator.get(path + "/rally-points").raw().body())
+                .isEqualTo("{\"points\":[" + point("home", -3) + "],\"leftOut\":[]}");
+    }
+
+    @Test
+    void whatWasReadInPartIsNotWrittenBackForTheWhole() {
+        String whole = "Item 3 (command 5005) is no part of a fence.";
+        vehicle.says(new DroneEvent.FenceRead(new OnboardFence(List.of(), null, List.of(whole))));
+        vehicle.says(new DroneEvent.RallyPointsRead(new OnboardRallyPoints(List.of(), List.of(whole))));
+
+        for (String what : List.of("/fence", "/rally-points")) {
+            await().until(() -> operator.get(path + what).json().path("leftOut").size() == 1);
+            TestHttpClient.Answer refused =
+                    put(what, operator.get(path + what).raw().body());
+
+            assertThat(refused.status()).isEqualTo(422);
+            assertThat(refused.text("field")).isEqualTo("leftOut");
+            assertThat(refused.text("detail")).contains(whole);
+        }
+        assertThat(vehicle.performed()).isEmpty();
     }
 
     @Test

@@ -14,6 +14,7 @@ import org.dronemap.core.access.KeyScope;
 import org.dronemap.core.access.Permission;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.SetFence;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.drone.Position;
@@ -93,10 +94,9 @@ class ZonesTest {
         assertThat(sent.json().path("warnings").size()).isEqualTo(1);
         assertThat(sent.json().path("warnings").get(0).asString()).contains("“Low”");
         await().untilAsserted(() -> assertThat(vehicle.performed())
-                .filteredOn(Command.SetFence.class::isInstance)
+                .filteredOn(SetFence.class::isInstance)
                 .singleElement()
-                .satisfies(command ->
-                        assertThat(((Command.SetFence) command).zones()).hasSize(1)));
+                .satisfies(command -> assertThat(((SetFence) command).zones()).hasSize(1)));
     }
 
     @Test

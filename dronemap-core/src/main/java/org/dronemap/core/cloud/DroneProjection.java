@@ -247,8 +247,9 @@ final class DroneProjection {
                 onBoard = onBoard.withParameters(
                         onBoard.parameters().with(((DroneEvent.ParameterReported) event).parameter()));
             case LOGS_READ -> onBoard = onBoard.withLogs(((DroneEvent.LogsRead) event).logs());
-            case FENCE_READ -> onBoard = onBoard.withFence(((DroneEvent.FenceRead) event).zones());
-            case RALLY_POINTS_READ -> onBoard = onBoard.withRallyPoints(((DroneEvent.RallyPointsRead) event).points());
+            case FENCE_READ -> onBoard = onBoard.withFence(((DroneEvent.FenceRead) event).fence());
+            case RALLY_POINTS_READ ->
+                onBoard = onBoard.withRallyPoints(((DroneEvent.RallyPointsRead) event).rallyPoints());
             case SCAN -> sensed = sensed.with(((DroneEvent.ScanReported) event).scan(), at);
             case PICTURE -> sensed = sensed.with(((DroneEvent.PictureReported) event).picture(), at);
             case MAP -> sensed = sensed.with(((DroneEvent.MapReported) event).map(), at);

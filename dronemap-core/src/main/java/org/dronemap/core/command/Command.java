@@ -7,9 +7,7 @@ import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.CountText;
-import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.mission.Mission;
-import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.core.parameter.ParameterValue;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
@@ -322,50 +320,6 @@ public sealed interface Command {
         }
     }
 
-    /** Replace the fence on board; none at all takes it away. */
-    @Stored(as = "SetFence", names = "zones")
-    record SetFence(List<FenceArea> zones) implements Command {
-        public SetFence {
-            zones = List.copyOf(zones);
-            if (zones.size() > 50) {
-                throw new IllegalArgumentException("a fence has at most 50 parts, not " + zones.size());
-            }
-        }
-
-        @Override
-        public CommandKind kind() {
-            return CommandKind.SET_FENCE;
-        }
-
-        @Override
-        public String summary() {
-            return zones.isEmpty() ? "take the fence away" : "set a fence of " + CountText.of(zones.size(), "part");
-        }
-    }
-
-    /** Replace the rally points on board; none at all takes them away. */
-    @Stored(as = "SetRallyPoints", names = "points")
-    record SetRallyPoints(List<RallyPoint> points) implements Command {
-        public SetRallyPoints {
-            points = List.copyOf(points);
-            if (points.size() > 50) {
-                throw new IllegalArgumentException("there are at most 50 rally points, not " + points.size());
-            }
-        }
-
-        @Override
-        public CommandKind kind() {
-            return CommandKind.SET_RALLY_POINTS;
-        }
-
-        @Override
-        public String summary() {
-            return points.isEmpty()
-                    ? "take the rally points away"
-                    : "set " + CountText.of(points.size(), "rally point");
-        }
-    }
-
     /** Commands that are declared in files of their own. */
     sealed interface Standalone extends Command
             permits GoToLocal,
@@ -378,7 +332,9 @@ public sealed interface Command {
                     SetReturnOnCloudLoss,
                     SetReturnHeight,
                     SetCloudLossAction,
-                    RestoreParameters {}
+                    RestoreParameters,
+                    SetFence,
+                    SetRallyPoints {}
 
     /** What the vehicle must be able to do for it. */
     default Capability needs() {

@@ -7,7 +7,7 @@ public enum DeferredEffect {
     PARAMETERS,
     /** The place that it returns to: a {@link Command.SetHome}. */
     HOME,
-    /** The places that it may go to instead of home: a {@link Command.SetRallyPoints}. */
+    /** The places that it may go to instead of home: a {@link SetRallyPoints}. */
     RALLY_POINTS,
     /** The mode that it flies in, which may find a way of its own: a {@link Command.SetMode}. */
     MODE

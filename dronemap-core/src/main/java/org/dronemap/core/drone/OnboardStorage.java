@@ -1,8 +1,6 @@
 package org.dronemap.core.drone;
 
 import java.util.List;
-import org.dronemap.core.mission.FenceArea;
-import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.core.parameter.ParameterSet;
 import org.jspecify.annotations.Nullable;
 
@@ -13,8 +11,8 @@ import org.jspecify.annotations.Nullable;
 public record OnboardStorage(
         ParameterSet parameters,
         @Nullable List<VehicleLog> logs,
-        @Nullable List<FenceArea> fence,
-        @Nullable List<RallyPoint> rallyPoints) {
+        @Nullable OnboardFence fence,
+        @Nullable OnboardRallyPoints rallyPoints) {
     public static final OnboardStorage UNKNOWN = new OnboardStorage(ParameterSet.NONE, null, null, null);
 
     public OnboardStorage withParameters(ParameterSet newer) {
@@ -25,11 +23,11 @@ public record OnboardStorage(
         return new OnboardStorage(parameters, newer, fence, rallyPoints);
     }
 
-    public OnboardStorage withFence(List<FenceArea> newer) {
+    public OnboardStorage withFence(OnboardFence newer) {
         return new OnboardStorage(parameters, logs, newer, rallyPoints);
     }
 
-    public OnboardStorage withRallyPoints(List<RallyPoint> newer) {
+    public OnboardStorage withRallyPoints(OnboardRallyPoints newer) {
         return new OnboardStorage(parameters, logs, fence, newer);
     }
 }

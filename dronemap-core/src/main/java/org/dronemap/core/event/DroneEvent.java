@@ -12,6 +12,8 @@ import org.dronemap.core.drone.Identification;
 import org.dronemap.core.drone.LocalPosition;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.Motion;
+import org.dronemap.core.drone.OnboardFence;
+import org.dronemap.core.drone.OnboardRallyPoints;
 import org.dronemap.core.drone.Picture;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.RangeScan;
@@ -19,9 +21,7 @@ import org.dronemap.core.drone.ReturnHeight;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.mission.MissionItem;
-import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.core.parameter.Parameter;
 import org.jspecify.annotations.Nullable;
 
@@ -283,11 +283,7 @@ public sealed interface DroneEvent {
     }
 
     /** The fence on board was read. */
-    record FenceRead(List<FenceArea> zones) implements DroneEvent {
-        public FenceRead {
-            zones = List.copyOf(zones);
-        }
-
+    record FenceRead(OnboardFence fence) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.FENCE_READ;
@@ -295,11 +291,7 @@ public sealed interface DroneEvent {
     }
 
     /** The rally points on board were read. */
-    record RallyPointsRead(List<RallyPoint> points) implements DroneEvent {
-        public RallyPointsRead {
-            points = List.copyOf(points);
-        }
-
+    record RallyPointsRead(OnboardRallyPoints rallyPoints) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.RALLY_POINTS_READ;

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.SetRallyPoints;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.geo.Geodetic;
@@ -31,7 +32,7 @@ record DeferredRoutes(@Nullable RouteObjection why, PredictedRoute refuges) {
                 bounds.stream().anyMatch(DeferredRoutes::isMeasuredFromHome)
                         ? forbidden("The heights of " + words + " are measured from home; so home cannot be moved.")
                         : home(((Command.SetHome) command).point());
-            case RALLY_POINTS -> rally(((Command.SetRallyPoints) command).points());
+            case RALLY_POINTS -> rally(((SetRallyPoints) command).points());
             case MODE -> inMode(words, drone, ((Command.SetMode) command).mode());
         };
     }

@@ -17,6 +17,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Gps;
 import org.dronemap.core.drone.GpsFix;
 import org.dronemap.core.drone.Home;
+import org.dronemap.core.drone.OnboardRallyPoints;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.event.DroneEvent;
@@ -164,7 +165,7 @@ class ReturnWatchTest extends GuidedFlightTestBase {
 
     @Test
     void fliesToTheNearestProvedPlaceWhenItsBatteryDoesNotLastForTheWayHome() {
-        hear(new DroneEvent.RallyPointsRead(List.of(new RallyPoint(NEAR, 30))));
+        hear(new DroneEvent.RallyPointsRead(OnboardRallyPoints.of(List.of(new RallyPoint(NEAR, 30)))));
         has(10);
         isLeft();
 
@@ -204,7 +205,7 @@ class ReturnWatchTest extends GuidedFlightTestBase {
 
     @Test
     void landsWhenItRefusesToFlyToThePlace() {
-        hear(new DroneEvent.RallyPointsRead(List.of(new RallyPoint(NEAR, 30))));
+        hear(new DroneEvent.RallyPointsRead(OnboardRallyPoints.of(List.of(new RallyPoint(NEAR, 30)))));
         has(10);
         isLeft();
         Command.GoTo there = new Command.GoTo(NEAR, Altitude.aboveHome(20));
@@ -227,7 +228,7 @@ class ReturnWatchTest extends GuidedFlightTestBase {
 
     @Test
     void fliesToNoPlaceThatAZoneForbids() {
-        hear(new DroneEvent.RallyPointsRead(List.of(new RallyPoint(NEAR, 30))));
+        hear(new DroneEvent.RallyPointsRead(OnboardRallyPoints.of(List.of(new RallyPoint(NEAR, 30)))));
         cloud.zones().put(List.of(over(NEAR, 20)));
         has(10);
         isLeft();

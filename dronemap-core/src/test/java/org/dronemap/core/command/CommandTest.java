@@ -23,7 +23,7 @@ class CommandTest {
                 .isEqualTo("upload a mission of 1 item");
         assertThat(new Command.UploadMission(new Mission(List.of(climb, new MissionItem.Land()))).summary())
                 .isEqualTo("upload a mission of 2 items");
-        assertThat(new Command.SetFence(List.of(zone)).summary()).isEqualTo("set a fence of 1 part");
-        assertThat(new Command.SetRallyPoints(List.of(point)).summary()).isEqualTo("set 1 rally point");
+        assertThat(new SetFence(List.of(zone)).summary()).isEqualTo("set a fence of 1 part");
+        assertThat(new SetRallyPoints(List.of(point)).summary()).isEqualTo("set 1 rally point");
     }
 }

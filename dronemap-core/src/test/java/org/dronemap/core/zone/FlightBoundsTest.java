@@ -8,6 +8,7 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.EmergencyStop;
 import org.dronemap.core.command.GoToLocal;
 import org.dronemap.core.command.MissionCloudLossPolicy;
+import org.dronemap.core.command.SetRallyPoints;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceArea;
@@ -85,7 +86,7 @@ class FlightBoundsTest {
         assertThat(why(NEAR, new Command.SetHome(null, null))).isEqualTo("nothing");
         assertThat(why(
                         NEAR,
-                        new Command.SetRallyPoints(List.of(
+                        new SetRallyPoints(List.of(
                                 new RallyPoint(ZoneFixtures.HOME, 30), new RallyPoint(ZoneFixtures.at(0.01, 0), 30)))))
                 .startsWith("Rally point 2 begins outside the bounds");
     }

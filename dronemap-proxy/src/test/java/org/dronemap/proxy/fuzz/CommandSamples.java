@@ -12,6 +12,8 @@ import org.dronemap.core.command.CommandKind;
 import org.dronemap.core.command.ParameterOverrideRecorder;
 import org.dronemap.core.command.RestoreParameters;
 import org.dronemap.core.command.SetCloudLossAction;
+import org.dronemap.core.command.SetFence;
+import org.dronemap.core.command.SetRallyPoints;
 import org.dronemap.core.command.VehicleLogSink;
 import org.dronemap.core.drone.VehicleLog;
 import org.dronemap.core.geo.Geodetic;
@@ -54,8 +56,8 @@ public final class CommandSamples {
             case SET_CLOUD_LOSS -> Stream.of(new SetCloudLossAction(20, KEPT, new Agreeing()));
             case PUT_BACK -> Stream.of(new RestoreParameters(KEPT, new Agreeing()));
             case DOWNLOAD_LOG -> Stream.of(new Command.DownloadLog(new VehicleLog(1, null, 20_000), new Swallowing()));
-            case SET_FENCE -> Stream.of(new Command.SetFence(List.of(FENCE)));
-            case SET_RALLY_POINTS -> Stream.of(new Command.SetRallyPoints(List.of(new RallyPoint(HERE, 30))));
+            case SET_FENCE -> Stream.of(new SetFence(List.of(FENCE)));
+            case SET_RALLY_POINTS -> Stream.of(new SetRallyPoints(List.of(new RallyPoint(HERE, 30))));
             default -> Stream.of(made(kind));
         };
     }

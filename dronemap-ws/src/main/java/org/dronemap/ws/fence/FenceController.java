@@ -58,7 +58,9 @@ class FenceController {
     @Operation(
             operationId = "setFence",
             summary = "Replace the fence (operator)",
-            description = "Up to 50 polygons and circles.")
+            description =
+                    "Up to 500 polygons and circles with together 2000 corners, and a return point; how many of them a"
+                            + " vehicle takes is its own. What was read with something left out is refused.")
     public ResponseEntity<CommandView> setFence(@PathVariable String id, @RequestBody FenceView fence) {
         return CommandResponse.begun(fences.setFence(current.caller(), id, fence));
     }
@@ -109,7 +111,9 @@ class FenceController {
     @Operation(
             operationId = "setRallyPoints",
             summary = "Replace the rally points (operator)",
-            description = "Up to 50.")
+            description =
+                    "Up to 250, each with what its altitude is measured from. What was read with something left out"
+                            + " is refused.")
     public ResponseEntity<CommandView> setRallyPoints(
             @PathVariable String id, @RequestBody FenceView.RallyView points) {
         return CommandResponse.begun(fences.setRallyPoints(current.caller(), id, points));

@@ -8,6 +8,8 @@ import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.ReadFence;
 import org.dronemap.core.command.ReadRallyPoints;
+import org.dronemap.core.command.SetFence;
+import org.dronemap.core.command.SetRallyPoints;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.zone.VehicleFence;
 import org.dronemap.ws.access.Caller;
@@ -53,7 +55,7 @@ public final class FenceService {
 
     public CommandView setFence(Caller caller, String droneId, FenceView fence) {
         DroneState drone = drones.state(caller.principal(), droneId, Role.PLANNER);
-        return give(caller, drone, new Command.SetFence(FenceReader.fence(fence)));
+        return give(caller, drone, FenceReader.fence(fence));
     }
 
     /** Makes the zones that bind a drone its own fence; those that it cannot keep are told as warnings. */
@@ -66,32 +68,32 @@ public final class FenceService {
                     "No zone without floor and ceiling binds this drone now; its fence stays as it is.",
                     ProblemParameter.DRONE.is(drone.id().value()));
         }
-        if (fence.shapes().size() > FenceReader.MOST) {
+        if (fence.shapes().size() > SetFence.MOST_PARTS) {
             throw Rejection.of(
                     DroneProblem.FENCE_FULL,
-                    fence.shapes().size() + " zones bind this drone now; a vehicle keeps " + FenceReader.MOST
+                    fence.shapes().size() + " zones bind this drone now; a vehicle keeps " + SetFence.MOST_PARTS
                             + " at most. Its fence stays as it is.",
                     ProblemParameter.DRONE.is(drone.id().value()),
                     ProblemParameter.COUNT.is(fence.shapes().size()),
-                    ProblemParameter.MOST.is(FenceReader.MOST));
+                    ProblemParameter.MOST.is(SetFence.MOST_PARTS));
         }
         List<String> leftOut = fence.leftOut().stream()
                 .map(zone -> "Not on board is " + zone.words() + ": vehicles know no floor and no ceiling.")
                 .toList();
-        return give(caller, drone, new Command.SetFence(fence.shapes())).warned(leftOut);
+        return give(caller, drone, new SetFence(fence.shapes())).warned(leftOut);
     }
 
     public CommandView setRallyPoints(Caller caller, String droneId, FenceView.RallyView points) {
         DroneState drone = drones.state(caller.principal(), droneId, Role.PLANNER);
-        return give(caller, drone, new Command.SetRallyPoints(FenceReader.rally(points)));
+        return give(caller, drone, new SetRallyPoints(FenceReader.rally(points)));
     }
 
     public CommandView clearFence(Caller caller, String droneId) {
-        return give(caller, droneId, new Command.SetFence(List.of()));
+        return give(caller, droneId, new SetFence(List.of()));
     }
 
     public CommandView clearRallyPoints(Caller caller, String droneId) {
-        return give(caller, droneId, new Command.SetRallyPoints(List.of()));
+        return give(caller, droneId, new SetRallyPoints(List.of()));
     }
 
     private CommandView give(Caller caller, String droneId, Command command) {

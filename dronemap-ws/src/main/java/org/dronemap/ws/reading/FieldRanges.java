@@ -2,6 +2,7 @@ package org.dronemap.ws.reading;
 
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ProblemParameter;
@@ -88,6 +89,18 @@ public final class FieldRanges {
     /** Of a circle, in metres. */
     public static double radius(String field, @Nullable Double value) {
         return checked(field, value, LEAST_RADIUS, MOST_RADIUS, "m");
+    }
+
+    /** Of a circle of a vehicle's own fence, in metres: down to a centimetre, as vehicles keep them. */
+    public static double fenceRadius(String field, @Nullable Double value) {
+        String allowed = "0.01 to 100000 m";
+        if (value == null) {
+            throw InvalidInput.missing(field, allowed);
+        }
+        if (!(value >= FenceArea.Circle.LEAST_RADIUS_METERS && value <= MOST_RADIUS)) {
+            throw outside(field, allowed, value, FenceArea.Circle.LEAST_RADIUS_METERS, MOST_RADIUS, "m");
+        }
+        return value;
     }
 
     public static int output(String field, @Nullable Integer value) {

@@ -213,15 +213,24 @@ class OnBoardMissionsTest {
         FenceService fences = lab.server().fences();
         DirectGroundStation station = new DirectGroundStation(lab, drone);
         FenceView.FencePointView corner = new FenceView.FencePointView(47.39, 8.54);
-        FenceView fence = new FenceView(List.of(
-                new FenceView.PolygonView(
-                        true,
-                        List.of(
-                                corner,
-                                new FenceView.FencePointView(47.41, 8.54),
-                                new FenceView.FencePointView(47.4, 8.56))),
-                new FenceView.CircleView(false, corner, 50.0)));
-        FenceView.RallyView rally = new FenceView.RallyView(List.of(new FenceView.RallyPointView(47.395, 8.545, 25.0)));
+        FenceView.ReturnPointView backTo = new FenceView.ReturnPointView(47.401, 8.55, null, null);
+        FenceView fence = new FenceView(
+                List.of(
+                        new FenceView.PolygonView(
+                                true,
+                                List.of(
+                                        corner,
+                                        new FenceView.FencePointView(47.41, 8.54),
+                                        new FenceView.FencePointView(47.4, 8.56))),
+                        new FenceView.CircleView(false, corner, 0.5)),
+                backTo,
+                List.of());
+        FenceView.RallyView rally = new FenceView.RallyView(
+                List.of(
+                        new FenceView.RallyPointView(47.395, 8.545, 25.0, "home"),
+                        new FenceView.RallyPointView(47.396, 8.545, 430.0, "amsl"),
+                        new FenceView.RallyPointView(47.397, 8.545, 60.0, "terrain")),
+                List.of());
         assertThat(fences.fence(ann.principal(), id).zones()).isNull();
 
         ann.succeeds(fences.setFence(ann.caller(), id, fence));
@@ -229,8 +238,11 @@ class OnBoardMissionsTest {
 
         assertThat(fences.fence(ann.principal(), id)).isEqualTo(fence);
         assertThat(fences.rallyPoints(ann.principal(), id)).isEqualTo(rally);
-        assertThat(station.mission(1)).extracting(MissionItemInt::command).containsExactly(5001, 5001, 5001, 5004);
-        assertThat(station.mission(2)).extracting(MissionItemInt::command).containsExactly(5100);
+        assertThat(station.mission(1))
+                .extracting(MissionItemInt::command)
+                .containsExactly(5000, 5001, 5001, 5001, 5004);
+        assertThat(station.mission(2)).extracting(MissionItemInt::command).containsOnly(5100);
+        assertThat(station.mission(2)).extracting(MissionItemInt::frame).containsExactly(3, 0, 10);
         ann.succeeds(fences.clearFence(ann.caller(), id));
         ann.succeeds(fences.clearRallyPoints(ann.caller(), id));
         ann.succeeds(fences.readFence(ann.caller(), id));
@@ -244,8 +256,8 @@ class OnBoardMissionsTest {
     void aBrokenFenceIsRefusedByNameAndLeavesTheOldOne(VehicleSpec kit) {
         LabDrone drone = drone(kit);
         FenceView.FencePointView center = new FenceView.FencePointView(47.39, 8.54);
-        FenceView fence = new FenceView(List.of(new FenceView.CircleView(false, center, 50.0)));
-        FenceView broken = new FenceView(List.of(new FenceView.CircleView(true, null, null)));
+        FenceView fence = new FenceView(List.of(new FenceView.CircleView(false, center, 50.0)), null, null);
+        FenceView broken = new FenceView(List.of(new FenceView.CircleView(true, null, null)), null, null);
         FenceService fences = lab.server().fences();
         ann.succeeds(fences.setFence(ann.caller(), drone.id().value(), fence));
 

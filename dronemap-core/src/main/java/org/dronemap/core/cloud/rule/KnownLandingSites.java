@@ -5,6 +5,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.stream.Stream;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.OnboardRallyPoints;
 import org.dronemap.core.drone.OnboardStorage;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.geo.Geodesy;
@@ -40,10 +41,10 @@ public final class KnownLandingSites {
     }
 
     public List<LandingSite> known(OnboardStorage onBoard) {
-        List<RallyPoint> rally = onBoard.rallyPoints();
+        OnboardRallyPoints rally = onBoard.rallyPoints();
         return Stream.concat(
                         stood.stream().map(place -> new LandingSite(place, "a place where it has stood before")),
-                        (rally == null ? List.<RallyPoint>of() : rally)
+                        (rally == null ? List.<RallyPoint>of() : rally.points())
                                 .stream().map(point -> new LandingSite(point.point(), "a rally point of its own")))
                 .toList();
     }

@@ -1,9 +1,13 @@
 package org.dronemap.proxy.mavlink.translate;
 
 import java.util.List;
-import java.util.function.Consumer;
-import org.dronemap.core.command.Command;
+import java.util.function.Function;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.command.SetFence;
+import org.dronemap.core.command.SetRallyPoints;
+import org.dronemap.core.drone.OnboardFence;
+import org.dronemap.core.drone.OnboardRallyPoints;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.mission.CountText;
 import org.dronemap.mavlink.message.MissionItemInt;
@@ -24,11 +28,11 @@ final class FenceExchanges {
         return read(cockpit, MavMissionType.FENCE, items -> fenceRead(cockpit, items));
     }
 
-    static Exchange set(CommandContext cockpit, Command.SetFence command) {
+    static Exchange set(CommandContext cockpit, SetFence command) {
         return write(
                 cockpit,
                 MavMissionType.FENCE,
-                FenceCodec.fenceToWire(command.zones(), cockpit.target()),
+                FenceCodec.fenceToWire(command, cockpit.target()),
                 items -> fenceRead(cockpit, items));
     }
 
@@ -36,7 +40,7 @@ final class FenceExchanges {
         return read(cockpit, MavMissionType.RALLY, items -> rallyRead(cockpit, items));
     }
 
-    static Exchange set(CommandContext cockpit, Command.SetRallyPoints command) {
+    static Exchange set(CommandContext cockpit, SetRallyPoints command) {
         return write(
                 cockpit,
                 MavMissionType.RALLY,
@@ -44,29 +48,54 @@ final class FenceExchanges {
                 items -> rallyRead(cockpit, items));
     }
 
-    private static void fenceRead(CommandContext cockpit, List<MissionItemInt> items) {
-        cockpit.news().accept(new DroneEvent.FenceRead(FenceCodec.fenceFromWire(items)));
+    /** The same for a vehicle that keeps heights of rally points in whole metres (ArduPilot) and would round others. */
+    static Exchange setWholeMeters(CommandContext cockpit, SetRallyPoints command) {
+        for (int index = 0; index < command.points().size(); index++) {
+            double meters = command.points().get(index).altitudeMeters();
+            if (meters != Math.rint(meters)) {
+                return BasicExchanges.refuse(
+                        OutcomeCode.MISSION_VALUE_NOT_TAKEN,
+                        "This vehicle keeps heights of rally points in whole metres: rally point " + (index + 1)
+                                + " cannot be at " + meters + " m.");
+            }
+        }
+        return set(cockpit, command);
     }
 
-    private static void rallyRead(CommandContext cockpit, List<MissionItemInt> items) {
-        cockpit.news().accept(new DroneEvent.RallyPointsRead(FenceCodec.rallyFromWire(items)));
+    /** What of it cannot be told, each as a sentence. */
+    private static List<String> fenceRead(CommandContext cockpit, List<MissionItemInt> items) {
+        OnboardFence fence = FenceCodec.fenceFromWire(items);
+        cockpit.news().accept(new DroneEvent.FenceRead(fence));
+        return fence.leftOut();
     }
 
-    private static Exchange read(CommandContext cockpit, MavMissionType kind, Consumer<List<MissionItemInt>> found) {
+    private static List<String> rallyRead(CommandContext cockpit, List<MissionItemInt> items) {
+        OnboardRallyPoints points = FenceCodec.rallyFromWire(items);
+        cockpit.news().accept(new DroneEvent.RallyPointsRead(points));
+        return points.leftOut();
+    }
+
+    /** Whoever reads only a part must not take it for the whole: so what is left out is no success. */
+    private static Outcome read(List<String> leftOut) {
+        return leftOut.isEmpty()
+                ? new Outcome.Succeeded()
+                : new Outcome.Failed("It was read, but not all that the vehicle has can be shown. Left out: "
+                        + String.join(" ", leftOut));
+    }
+
+    private static Exchange read(
+            CommandContext cockpit, MavMissionType kind, Function<List<MissionItemInt>, List<String>> found) {
         MissionDownload download = MissionDownload.whole(cockpit.target(), kind, cockpit.observer());
         return new ExchangeSequence(List.of(
                 ExchangeSequence.Step.of(() -> download),
-                ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> {
-                    found.accept(download.items());
-                    return new Outcome.Succeeded();
-                }))));
+                ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> read(found.apply(download.items()))))));
     }
 
     private static Exchange write(
             CommandContext cockpit,
             MavMissionType kind,
             List<MissionItemInt> items,
-            Consumer<List<MissionItemInt>> found) {
+            Function<List<MissionItemInt>, List<String>> found) {
         int steps = 2 * items.size();
         MissionDownload readBack = MissionDownload.whole(
                 cockpit.target(), kind, new StepProgressObserver(cockpit.observer(), items.size(), steps));
@@ -77,8 +106,9 @@ final class FenceExchanges {
                                 cockpit.target(), kind, items, new StepProgressObserver(cockpit.observer(), 0, steps))),
                 ExchangeSequence.Step.of(() -> readBack),
                 ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> {
-                    found.accept(readBack.items());
-                    return compare(items, readBack.items());
+                    Outcome read = read(found.apply(readBack.items()));
+                    Outcome compared = compare(items, readBack.items());
+                    return compared instanceof Outcome.Succeeded ? read : compared;
                 }))));
     }
 
@@ -88,18 +118,12 @@ final class FenceExchanges {
                     + sent.size() + " that were sent.");
         }
         for (int index = 0; index < sent.size(); index++) {
-            if (!same(sent.get(index), held.get(index))) {
-                return new Outcome.Failed("The vehicle holds item " + (index + 1) + " otherwise than it was sent.");
+            String otherwise = FenceItemComparison.difference(sent.get(index), held.get(index));
+            if (otherwise != null) {
+                return new Outcome.Failed(
+                        "The vehicle holds item " + (index + 1) + " otherwise than it was sent: " + otherwise + ".");
             }
         }
         return new Outcome.Succeeded();
-    }
-
-    private static boolean same(MissionItemInt sent, MissionItemInt held) {
-        return sent.command() == held.command()
-                && sent.x() == held.x()
-                && sent.y() == held.y()
-                && Math.abs(sent.param1() - held.param1()) < 0.05
-                && Math.abs(sent.z() - held.z()) < 0.05;
     }
 }

@@ -12,6 +12,8 @@ import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.RestoreParameters;
 import org.dronemap.core.command.SetCloudLossAction;
+import org.dronemap.core.command.SetFence;
+import org.dronemap.core.command.SetRallyPoints;
 import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Capabilities;
@@ -225,9 +227,9 @@ final class Px4Adapter implements AutopilotAdapter {
             case READ_LOGS -> TransferExchanges.readLogs(cockpit);
             case DOWNLOAD_LOG -> TransferExchanges.download(cockpit, (Command.DownloadLog) command);
             case READ_FENCE -> FenceExchanges.readFence(cockpit);
-            case SET_FENCE -> FenceExchanges.set(cockpit, (Command.SetFence) command);
+            case SET_FENCE -> FenceExchanges.set(cockpit, (SetFence) command);
             case READ_RALLY_POINTS -> FenceExchanges.readRally(cockpit);
-            case SET_RALLY_POINTS -> FenceExchanges.set(cockpit, (Command.SetRallyPoints) command);
+            case SET_RALLY_POINTS -> FenceExchanges.set(cockpit, (SetRallyPoints) command);
             default -> BasicExchanges.cannot(command);
         };
     }

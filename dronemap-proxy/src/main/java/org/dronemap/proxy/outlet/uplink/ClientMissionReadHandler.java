@@ -9,11 +9,12 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.ReadFence;
 import org.dronemap.core.command.ReadRallyPoints;
+import org.dronemap.core.command.SetFence;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
-import org.dronemap.core.mission.FenceArea;
-import org.dronemap.core.mission.RallyPoint;
+import org.dronemap.core.drone.OnboardFence;
+import org.dronemap.core.drone.OnboardRallyPoints;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.MissionAck;
@@ -72,6 +73,9 @@ final class ClientMissionReadHandler {
         List<MissionItemInt> items = items(asked, kind);
         if (items != null) {
             count(asked, kind, items);
+        } else if (!leftOut(asked, kind).isEmpty()) {
+            acknowledge(asked, ACK_UNSUPPORTED, kind);
+            asked.explain("Not all that the vehicle has can be shown: " + String.join(" ", leftOut(asked, kind)));
         } else if (kind != MavMissionType.MISSION.number()) {
             read(asked, kind);
         }
@@ -83,18 +87,30 @@ final class ClientMissionReadHandler {
         asked.answer(new MissionCount(asked.fromSystem(), asked.fromComponent(), items.size(), kind));
     }
 
-    /** Null when the cloud does not know it. */
+    /** Null when the cloud does not know it, or not whole. */
     private @Nullable List<MissionItemInt> items(ClientRequest asked, int kind) {
         MavlinkTarget here = new MavlinkTarget(0, 0, message -> {});
         if (kind == MavMissionType.FENCE.number()) {
-            List<FenceArea> fence = cloud.onBoard(asked.drone()).fence();
-            return fence == null ? null : FenceCodec.fenceToWire(fence, here);
+            OnboardFence fence = cloud.onBoard(asked.drone()).fence();
+            return fence == null || !fence.leftOut().isEmpty()
+                    ? null
+                    : FenceCodec.fenceToWire(new SetFence(fence.areas(), fence.returnPoint()), here);
         }
         if (kind == MavMissionType.RALLY.number()) {
-            List<RallyPoint> points = cloud.onBoard(asked.drone()).rallyPoints();
-            return points == null ? null : FenceCodec.rallyToWire(points, here);
+            OnboardRallyPoints rally = cloud.onBoard(asked.drone()).rallyPoints();
+            return rally == null || !rally.leftOut().isEmpty() ? null : FenceCodec.rallyToWire(rally.points(), here);
         }
         return asked.vehicle().mission();
+    }
+
+    /** What the vehicle has and cannot be shown; a client that got the rest would write back a part for the whole. */
+    private List<String> leftOut(ClientRequest asked, int kind) {
+        OnboardFence fence = cloud.onBoard(asked.drone()).fence();
+        OnboardRallyPoints rally = cloud.onBoard(asked.drone()).rallyPoints();
+        if (kind == MavMissionType.FENCE.number()) {
+            return fence == null ? List.of() : fence.leftOut();
+        }
+        return kind == MavMissionType.MISSION.number() || rally == null ? List.of() : rally.leftOut();
     }
 
     /** Has it read by the vehicle's only reader, if the user may. */

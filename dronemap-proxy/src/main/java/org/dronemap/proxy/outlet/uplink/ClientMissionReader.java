@@ -3,10 +3,12 @@ package org.dronemap.proxy.outlet.uplink;
 import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.command.Command;
-import org.dronemap.core.mission.FenceArea;
+import org.dronemap.core.command.SetFence;
+import org.dronemap.core.command.SetRallyPoints;
+import org.dronemap.core.drone.OnboardFence;
+import org.dronemap.core.drone.OnboardRallyPoints;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
-import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.MavMissionType;
 import org.dronemap.proxy.mavlink.translate.AutopilotAdapter;
@@ -62,22 +64,16 @@ final class ClientMissionReader {
     }
 
     private static Read fence(List<MissionItemInt> items) {
-        List<FenceArea> zones = FenceCodec.fenceFromWire(items);
-        int read = zones.stream()
-                .mapToInt(zone -> zone instanceof FenceArea.Polygon polygon
-                        ? polygon.corners().size()
-                        : 1)
-                .sum();
-        return read == items.size()
-                ? new Understood(new Command.SetFence(zones))
-                : new Unsupported(
-                        "A fence is of areas with 3 to 100 corners and of circles; there is something else in it.");
+        OnboardFence fence = FenceCodec.fenceFromWire(items);
+        return fence.leftOut().isEmpty()
+                ? new Understood(new SetFence(fence.areas(), fence.returnPoint()))
+                : new Unsupported(String.join(" ", fence.leftOut()));
     }
 
     private static Read rally(List<MissionItemInt> items) {
-        List<RallyPoint> points = FenceCodec.rallyFromWire(items);
-        return points.size() == items.size()
-                ? new Understood(new Command.SetRallyPoints(points))
-                : new Unsupported("There is something else among the rally points.");
+        OnboardRallyPoints rally = FenceCodec.rallyFromWire(items);
+        return rally.leftOut().isEmpty()
+                ? new Understood(new SetRallyPoints(rally.points()))
+                : new Unsupported(String.join(" ", rally.leftOut()));
     }
 }

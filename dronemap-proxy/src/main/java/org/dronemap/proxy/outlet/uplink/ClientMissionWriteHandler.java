@@ -13,6 +13,8 @@ import org.dronemap.core.cloud.rule.RoleRules;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.Refusal;
+import org.dronemap.core.command.SetFence;
+import org.dronemap.core.command.SetRallyPoints;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -35,7 +37,7 @@ import org.jspecify.annotations.Nullable;
  * the cloud cannot keep as it came is refused, never shortened. Owned by the outlet's thread.
  */
 final class ClientMissionWriteHandler {
-    private static final int MOST_ITEMS = Mission.MAX_ITEMS + 1;
+    private static final int MOST_MISSION_ITEMS = Mission.MAX_ITEMS + 1;
     private static final int ALL_KINDS = 255;
     private static final long ASK_AGAIN_NANOS = 1_000_000_000L;
     private static final int MOST_TRIES = 8;
@@ -93,12 +95,9 @@ final class ClientMissionWriteHandler {
             before.next = before.count == 0 ? asked : null;
             return;
         }
-        if (announced.count() > MOST_ITEMS) {
-            refuse(
-                    asked,
-                    ClientMissionReadHandler.ACK_NO_SPACE,
-                    kind,
-                    "A mission has at most " + Mission.MAX_ITEMS + " items.");
+        Optional<String> tooMany = tooMany(kind, announced.count());
+        if (tooMany.isPresent()) {
+            refuse(asked, ClientMissionReadHandler.ACK_NO_SPACE, kind, tooMany.get());
             return;
         }
         Upload intake = new Upload(asked, kind, announced.count());
@@ -215,6 +214,23 @@ final class ClientMissionWriteHandler {
         return RoleRules.whyNot(principal, state, capability)
                 .or(() -> CommandRules.whyNot(state, capability))
                 .map(Refusal::sentence);
+    }
+
+    private static Optional<String> tooMany(int kind, int count) {
+        if (kind == MavMissionType.FENCE.number()) {
+            return count <= SetFence.MOST_ITEMS
+                    ? Optional.empty()
+                    : Optional.of("A fence has at most " + SetFence.MOST_ITEMS + " items, not " + count + ".");
+        }
+        if (kind == MavMissionType.RALLY.number()) {
+            return count <= SetRallyPoints.MOST_POINTS
+                    ? Optional.empty()
+                    : Optional.of(
+                            "There are at most " + SetRallyPoints.MOST_POINTS + " rally points, not " + count + ".");
+        }
+        return count <= MOST_MISSION_ITEMS
+                ? Optional.empty()
+                : Optional.of("A mission has at most " + Mission.MAX_ITEMS + " items.");
     }
 
     private static Capability capability(int kind) {
