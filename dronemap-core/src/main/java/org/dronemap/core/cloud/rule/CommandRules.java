@@ -4,6 +4,7 @@ import java.util.Comparator;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.dronemap.core.command.ChangeSpeed;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.Refusal;
@@ -75,6 +76,7 @@ public final class CommandRules {
         return switch (command.kind().movement()) {
             case CHANGES_MODE -> modeForbids(drone, ((Command.SetMode) command).mode());
             case GOES -> tooFar(drone, ((Command.GoTo) command).point());
+            case CHANGES_SPEED -> SpeedRules.whyNot(drone, (ChangeSpeed) command);
             case NONE, STANDS, TURNS, CLIMBS, GOES_ON_ITS_MAP, TAKES_MISSION, FLIES_MISSION, COMES_DOWN ->
                 Optional.empty();
         };

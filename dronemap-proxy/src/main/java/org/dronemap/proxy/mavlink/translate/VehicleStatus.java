@@ -32,6 +32,7 @@ public final class VehicleStatus {
     private int lastSeqReached = -1;
     private @Nullable List<MissionItemInt> mission;
     private int pictures;
+    private @Nullable Double speed;
 
     /**
      * @param type the MAV_TYPE, which makes the session
@@ -121,7 +122,11 @@ public final class VehicleStatus {
         return currentSeq;
     }
 
+    /** Vehicles forget a speed that they were told with the mode that they were in. */
     void heartbeat(Heartbeat last, String modeName) {
+        if (!modeName.equals(mode)) {
+            speed = null;
+        }
         heartbeat = last;
         mode = modeName;
     }
@@ -132,6 +137,16 @@ public final class VehicleStatus {
 
     void phase(FlightPhase heard) {
         phase = heard;
+    }
+
+    void speedChanged(double metersPerSecond) {
+        speed = metersPerSecond;
+    }
+
+    /** What it was told since it is in this mode, in m/s; null: nothing. */
+    @Nullable
+    Double speed() {
+        return speed;
     }
 
     void position(Position heard) {
