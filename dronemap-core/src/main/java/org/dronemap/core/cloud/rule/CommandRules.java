@@ -172,7 +172,7 @@ public final class CommandRules {
         VehicleKind kind = drone.identification().kind();
         boolean flies =
                 kind != VehicleKind.UNKNOWN || drone.capabilities().commands().contains(Capability.TAKE_OFF);
-        return flies && kind != VehicleKind.ROVER && kind != VehicleKind.BOAT && kind != VehicleKind.SUBMARINE;
+        return flies && !kind.neverFlies();
     }
 
     private static boolean hasMission(MissionProgress mission) {

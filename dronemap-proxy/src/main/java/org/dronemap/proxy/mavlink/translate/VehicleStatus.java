@@ -83,6 +83,7 @@ public final class VehicleStatus {
         Double above = altitudeAboveHomeMeters;
         FlightPhase last = phase;
         return armed()
+                && !VehicleType.kind(type).neverFlies()
                 && (last != null ? last != FlightPhase.ON_GROUND : above != null && above > CLEARLY_ABOVE_METERS);
     }
 
