@@ -16,6 +16,7 @@ from dronemap.command import AsyncCommand
 from dronemap.command import Command as DroneCommand
 from dronemap.contract.models import (
     ArmCommand,
+    ChangeSpeedCommand,
     CommandView,
     DisarmCommand,
     DroneView,
@@ -144,6 +145,15 @@ async def rtl(session: Session, no_wait: bool, drone: str | None) -> None:
 async def hold(session: Session, drone: str | None) -> None:
     """Stop and stay where it is."""
     await told(session, await session.drone(drone), HoldCommand())
+
+
+@click.command(cls=Command)
+@click.argument("meters_per_second", type=float)
+@drone_option
+@connected
+async def speed(session: Session, meters_per_second: float, drone: str | None) -> None:
+    """Go on at another speed, in m/s, until the mode changes."""
+    await told(session, await session.drone(drone), ChangeSpeedCommand(meters_per_second=meters_per_second))
 
 
 async def told(session: Session, drone: AsyncDrone, command: DroneCommand) -> CommandView:

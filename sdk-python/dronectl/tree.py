@@ -18,6 +18,7 @@ _COMMANDS: tuple[click.Command, ...] = (
     flight.land,
     flight.rtl,
     flight.hold,
+    flight.speed,
     flight.mode,
     mission.mission,
     plan.plan,

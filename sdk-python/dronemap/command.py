@@ -5,6 +5,7 @@ import secrets
 
 from dronemap.contract.models import (
     ArmCommand,
+    ChangeSpeedCommand,
     ClearMissionCommand,
     CommandView,
     DisarmCommand,
@@ -37,6 +38,7 @@ from dronemap.stream import Message, Stream
 
 Command = (
     ArmCommand
+    | ChangeSpeedCommand
     | ClearMissionCommand
     | DisarmCommand
     | EmergencyStopCommand

@@ -9,6 +9,7 @@ from dronemap.arrival import arrived, at_height, at_place, mission_flown, on_gro
 from dronemap.command import AsyncCommand, Command, CommandGiver
 from dronemap.contract.models import (
     ArmCommand,
+    ChangeSpeedCommand,
     ClearMissionCommand,
     DisarmCommand,
     DroneView,
@@ -140,6 +141,10 @@ class AsyncDrone:
     async def hold(self) -> None:
         """Stops and stays where it is."""
         await self._done(HoldCommand())
+
+    async def change_speed(self, meters_per_second: float) -> None:
+        """Goes on at that speed, until the mode changes: over the ground, or through the air for a plane."""
+        await self._done(ChangeSpeedCommand(meters_per_second=meters_per_second))
 
     async def set_mode(self, mode: str) -> None:
         await self._done(SetModeCommand(mode=mode))

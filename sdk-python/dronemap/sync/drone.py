@@ -115,6 +115,10 @@ class Drone:
         """Stops and stays where it is."""
         self._loop.run(self._awaited.hold())
 
+    def change_speed(self, meters_per_second: float) -> None:
+        """Goes on at that speed, until the mode changes: over the ground, or through the air for a plane."""
+        self._loop.run(self._awaited.change_speed(meters_per_second))
+
     def set_mode(self, mode: str) -> None:
         self._loop.run(self._awaited.set_mode(mode))
 

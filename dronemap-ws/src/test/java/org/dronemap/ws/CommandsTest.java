@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.command.ChangeSpeed;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.OutcomeCode;
@@ -216,6 +217,9 @@ class CommandsTest {
                 .isEqualTo("succeeded");
         assertThat(soap.call("turn", "droneId", drone, "degrees", -90.0).text("outcome.result"))
                 .isEqualTo("succeeded");
+        assertThat(soap.call("changeSpeed", "droneId", drone, "metersPerSecond", 4.5)
+                        .text("outcome.result"))
+                .isEqualTo("succeeded");
         assertThatThrownBy(() -> soap.call("setParameter", "droneId", drone, "name", "NOBODY", "value", 1.0))
                 .isInstanceOf(SoapClient.Refused.class);
         assertThat(vehicle.performed())
@@ -223,7 +227,8 @@ class CommandsTest {
                         new Command.ReadParameters(),
                         new Command.SetParameters(List.of(new ParameterValue("RTL_ALT", 2000))),
                         new Command.TakePicture(),
-                        new Command.Turn(-90));
+                        new Command.Turn(-90),
+                        new ChangeSpeed(4.5));
     }
 
     @Test

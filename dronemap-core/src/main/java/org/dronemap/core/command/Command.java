@@ -323,6 +323,7 @@ public sealed interface Command {
     /** Commands that are declared in files of their own. */
     sealed interface Standalone extends Command
             permits GoToLocal,
+                    ChangeSpeed,
                     EmergencyStop,
                     ReadMap,
                     ReadHome,

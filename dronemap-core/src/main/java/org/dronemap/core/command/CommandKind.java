@@ -62,6 +62,13 @@ public enum CommandKind {
             ImmediateEffect.GOES_ON_ITS_MAP,
             DeferredEffect.NOTHING),
     TURN("Turn", Capability.TURN, Contention.FLIGHT, Purpose.FLY, ImmediateEffect.TURNS, DeferredEffect.NOTHING),
+    CHANGE_SPEED(
+            "ChangeSpeed",
+            Capability.CHANGE_SPEED,
+            Contention.SPEED,
+            Purpose.FLY,
+            ImmediateEffect.CHANGES_SPEED,
+            DeferredEffect.NOTHING),
     UPLOAD_MISSION(
             "UploadMission",
             Capability.UPLOAD_MISSION,

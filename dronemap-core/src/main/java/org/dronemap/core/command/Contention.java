@@ -6,6 +6,8 @@ public enum Contention {
     ARMING,
     /** Where to fly; the newer one wins. */
     FLIGHT,
+    /** How fast; the newer one wins, and where it flies stays as it is. */
+    SPEED,
     /** Mission items on the wire; the first one goes on. */
     TRANSFER,
     /** The camera; the first one goes on. */
@@ -23,6 +25,6 @@ public enum Contention {
 
     /** A newer command takes the place of one that is under way; else it has to wait. */
     public boolean newerWins() {
-        return this == ARMING || this == FLIGHT;
+        return this == ARMING || this == FLIGHT || this == SPEED;
     }
 }

@@ -11,6 +11,8 @@ public enum ImmediateEffect {
     STANDS,
     /** It turns on the spot. */
     TURNS,
+    /** It goes on with what it is at, faster or slower: a {@link ChangeSpeed}. */
+    CHANGES_SPEED,
     /** It goes straight up: a {@link Command.TakeOff}. */
     CLIMBS,
     /** It goes to a place on Earth: a {@link Command.GoTo}. */

@@ -7,7 +7,7 @@ import org.dronemap.core.stored.Stored;
         names = "ARM DISARM SET_MODE TAKE_OFF LAND RETURN_TO_LAUNCH HOLD GO_TO UPLOAD_MISSION "
                 + "START_MISSION PAUSE_MISSION CLEAR_MISSION TURN TAKE_PICTURE SET_RELAY READ_PARAMETERS "
                 + "SET_PARAMETERS READ_LOGS FENCE RALLY_POINTS SET_HOME READ_HOME GO_TO_LOCAL "
-                + "EMERGENCY_STOP READ_MAP VELOCITY STICKS TRACK")
+                + "EMERGENCY_STOP READ_MAP VELOCITY STICKS TRACK CHANGE_SPEED")
 public enum Capability {
     ARM("arm", Readiness.DISARMED, Part.OPERATES),
     DISARM("disarm", Readiness.ARMED_ON_THE_GROUND, Part.OPERATES),
@@ -36,7 +36,8 @@ public enum Capability {
     READ_MAP("tell its map", Readiness.ANY, Part.OPERATES),
     VELOCITY("be steered by speeds", Readiness.UNDER_WAY, Part.OPERATES),
     STICKS("be steered by sticks", Readiness.ARMED_BEFORE, Part.OPERATES),
-    TRACK("be led by a place that moves", Readiness.UNDER_WAY, Part.OPERATES);
+    TRACK("be led by a place that moves", Readiness.UNDER_WAY, Part.OPERATES),
+    CHANGE_SPEED("change its speed", Readiness.UNDER_WAY, Part.OPERATES);
 
     /** State that a drone must be in for an action. What has no motors to arm is always armed. */
     public enum Readiness {

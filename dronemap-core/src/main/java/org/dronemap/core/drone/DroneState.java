@@ -45,6 +45,9 @@ public record DroneState(
 
     /** In the air as far as anybody knows: said so, or clearly above its home or the ground that it left. */
     public boolean airborne() {
+        if (identification.kind().neverFlies()) {
+            return false;
+        }
         if (phase != null) {
             return phase != FlightPhase.ON_GROUND;
         }
@@ -53,6 +56,9 @@ public record DroneState(
 
     /** On the ground as far as is known; false where nothing tells. */
     public boolean isOnGround() {
+        if (identification.kind().neverFlies()) {
+            return true;
+        }
         if (phase != null) {
             return phase == FlightPhase.ON_GROUND;
         }

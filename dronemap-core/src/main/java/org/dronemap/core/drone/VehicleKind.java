@@ -13,5 +13,13 @@ public enum VehicleKind {
     BOAT,
     SUBMARINE,
     AIRSHIP,
-    UNKNOWN
+    UNKNOWN;
+
+    /** It drives, floats or dives: at whatever height it is, it is not in the air. */
+    public boolean neverFlies() {
+        return switch (this) {
+            case ROVER, BOAT, SUBMARINE -> true;
+            case MULTICOPTER, HELICOPTER, FIXED_WING, VTOL, AIRSHIP, UNKNOWN -> false;
+        };
+    }
 }

@@ -19,7 +19,7 @@ public final class CommandRoutes {
     /** {@link PredictedRoute#NONE} for what moves nothing, and for what brings it down or home: that is never kept from it. */
     public static PredictedRoute of(DroneState drone, Command command) {
         return switch (command.kind().movement()) {
-            case NONE, STANDS, TURNS, COMES_DOWN -> PredictedRoute.NONE;
+            case NONE, STANDS, TURNS, CHANGES_SPEED, COMES_DOWN -> PredictedRoute.NONE;
             case CLIMBS ->
                 new MissionRouteBuilder(drone).takeOff(((Command.TakeOff) command).altitudeMeters(), "The take-off");
             case GOES -> to(drone, (Command.GoTo) command);

@@ -20,6 +20,7 @@ class CommandKindTest {
         assertThat(movements)
                 .containsEntry(ImmediateEffect.CLIMBS, List.of(CommandKind.TAKE_OFF))
                 .containsEntry(ImmediateEffect.GOES, List.of(CommandKind.GO_TO))
+                .containsEntry(ImmediateEffect.CHANGES_SPEED, List.of(CommandKind.CHANGE_SPEED))
                 .containsEntry(ImmediateEffect.TAKES_MISSION, List.of(CommandKind.UPLOAD_MISSION))
                 .containsEntry(ImmediateEffect.CHANGES_MODE, List.of(CommandKind.SET_MODE));
         assertThat(changes)
@@ -33,7 +34,8 @@ class CommandKindTest {
     void saysTheSameOfAMoveInEachOfItsAnswers() {
         assertThat(CommandKind.values()).allSatisfy(kind -> {
             boolean flies = kind.contention() == Contention.FLIGHT;
-            boolean moves = kind.movement() != ImmediateEffect.NONE;
+            // How fast it goes competes with no order where to go.
+            boolean moves = kind.movement() != ImmediateEffect.NONE && kind.movement() != ImmediateEffect.CHANGES_SPEED;
             assertThat(flies && !moves)
                     .as(kind + " competes for the flight and moves nothing")
                     .isFalse();

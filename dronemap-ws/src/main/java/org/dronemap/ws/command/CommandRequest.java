@@ -5,6 +5,7 @@ import static io.swagger.v3.oas.annotations.media.Schema.RequiredMode.REQUIRED;
 import com.fasterxml.jackson.annotation.JsonSubTypes;
 import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import io.swagger.v3.oas.annotations.media.Schema;
+import jakarta.validation.constraints.DecimalMin;
 import jakarta.validation.constraints.Max;
 import jakarta.validation.constraints.Min;
 import jakarta.validation.constraints.Pattern;
@@ -46,6 +47,7 @@ import tools.jackson.databind.annotation.JsonTypeResolver;
     @JsonSubTypes.Type(value = CommandRequest.PauseMission.class, name = "pauseMission"),
     @JsonSubTypes.Type(value = CommandRequest.ClearMission.class, name = "clearMission"),
     @JsonSubTypes.Type(value = CommandRequest.Turn.class, name = "turn"),
+    @JsonSubTypes.Type(value = CommandRequest.ChangeSpeed.class, name = "changeSpeed"),
     @JsonSubTypes.Type(value = CommandRequest.TakePicture.class, name = "takePicture"),
     @JsonSubTypes.Type(value = CommandRequest.SetRelay.class, name = "setRelay"),
     @JsonSubTypes.Type(value = CommandRequest.SetHome.class, name = "setHome"),
@@ -256,6 +258,26 @@ public sealed interface CommandRequest {
         @Override
         public Command command(DroneState drone, ParameterSet held) {
             return new Command.Turn(FieldRanges.turn("degrees", degrees));
+        }
+    }
+
+    @Schema(name = "ChangeSpeedCommand", description = "Go on at another speed, until the mode changes.")
+    record ChangeSpeed(
+            @Schema(
+                    requiredMode = REQUIRED,
+                    description = "Over the ground, or through the air for a plane; 0.2 to 30 for copters and"
+                            + " submarines, 3 to 100 for planes, 0.1 to 30 for what drives, 0.1 to 100 for others")
+            @DecimalMin(FieldRanges.LEAST_SPEED)
+            @Max(FieldRanges.MOST_SPEED)
+            @Nullable
+            Double metersPerSecond,
+
+            @Nullable String id,
+            @Nullable Long epoch)
+            implements CommandRequest {
+        @Override
+        public Command command(DroneState drone, ParameterSet held) {
+            return new org.dronemap.core.command.ChangeSpeed(FieldRanges.speed("metersPerSecond", metersPerSecond));
         }
     }
 

@@ -1,5 +1,6 @@
 package org.dronemap.ws.reading;
 
+import org.dronemap.core.command.ChangeSpeed;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceArea;
@@ -21,6 +22,10 @@ public final class FieldRanges {
     public static final int MOST_TAKE_OFF = 500;
     /** Degrees, either way. */
     public static final int MOST_TURN = 360;
+    /** Metres a second, of any kind of vehicle. */
+    public static final String LEAST_SPEED = "" + ChangeSpeed.SLOWEST;
+
+    public static final int MOST_SPEED = 100;
     /** Metres, either way. */
     public static final int MOST_ON_MAP = 100_000;
 
@@ -62,6 +67,15 @@ public final class FieldRanges {
             throw outside(field, "-360 to 360 degrees, not 0", degrees, -360, 360, "degrees");
         }
         return degrees;
+    }
+
+    /** What each kind of vehicle takes of these is for the gate to say. */
+    public static double speed(String field, @Nullable Double value) {
+        double speed = checked(field, value, 0, MOST_SPEED, "m/s");
+        if (speed < ChangeSpeed.SLOWEST) {
+            throw outside(field, "0.1 to 100 m/s", speed, ChangeSpeed.SLOWEST, MOST_SPEED, "m/s");
+        }
+        return speed;
     }
 
     /** Metres on a map of a vehicle's own. */

@@ -4,6 +4,7 @@ import java.util.Comparator;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.dronemap.core.command.ChangeSpeed;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.Refusal;
@@ -76,6 +77,7 @@ public final class CommandRules {
             case CHANGES_MODE -> modeForbids(drone, ((Command.SetMode) command).mode());
             case GOES -> tooFar(drone, ((Command.GoTo) command).point());
             case TAKES_MISSION -> MissionRules.whyNot(drone, ((Command.UploadMission) command).mission());
+            case CHANGES_SPEED -> SpeedRules.whyNot(drone, (ChangeSpeed) command);
             case NONE, STANDS, TURNS, CLIMBS, GOES_ON_ITS_MAP, FLIES_MISSION, COMES_DOWN -> Optional.empty();
         };
     }
@@ -170,7 +172,7 @@ public final class CommandRules {
         VehicleKind kind = drone.identification().kind();
         boolean flies =
                 kind != VehicleKind.UNKNOWN || drone.capabilities().commands().contains(Capability.TAKE_OFF);
-        return flies && kind != VehicleKind.ROVER && kind != VehicleKind.BOAT && kind != VehicleKind.SUBMARINE;
+        return flies && !kind.neverFlies();
     }
 
     private static boolean hasMission(MissionProgress mission) {

@@ -49,7 +49,7 @@ public final class RecentModeCommands {
     public static boolean mayLeadTo(Command command, String mode, Capabilities can) {
         Steering by = can.steering(mode).orElse(null);
         return switch (command.kind().movement()) {
-            case NONE -> false;
+            case NONE, CHANGES_SPEED -> false;
             case CHANGES_MODE -> ((Command.SetMode) command).mode().equals(mode);
             case STANDS, TAKES_MISSION ->
                 by == null || by.acceptsCommands() || (by == Steering.STICKS && mayStandIn(mode, can));

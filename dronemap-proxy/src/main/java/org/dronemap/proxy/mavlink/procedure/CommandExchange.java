@@ -25,7 +25,7 @@ public final class CommandExchange implements Exchange {
     private final MavlinkTarget target;
     private final MavCommandRequest request;
     private final ExchangeObserver observer;
-    private final RefusalTextFinder reasons = new RefusalTextFinder();
+    private final RefusalTextFinder reasons;
     private RetrySchedule pace = new RetrySchedule(0, 0, 0);
     private boolean seenAtStart;
     private int tries;
@@ -46,6 +46,7 @@ public final class CommandExchange implements Exchange {
         this.target = target;
         this.request = request;
         this.observer = observer;
+        this.reasons = new RefusalTextFinder(request.command());
     }
 
     @Override

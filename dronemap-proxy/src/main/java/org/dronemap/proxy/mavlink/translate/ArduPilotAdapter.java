@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
+import org.dronemap.core.command.ChangeSpeed;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.OutcomeCode;
@@ -173,6 +174,9 @@ final class ArduPilotAdapter implements AutopilotAdapter {
         if (table.has(AUTO)) {
             can.addAll(IN_AUTO);
         }
+        if (table.has(GUIDED) && table.has(AUTO)) {
+            can.add(Capability.CHANGE_SPEED);
+        }
         return can;
     }
 
@@ -213,6 +217,10 @@ final class ArduPilotAdapter implements AutopilotAdapter {
             case RETURN_TO_LAUNCH -> returnToLaunch(cockpit);
             case HOLD, PAUSE_MISSION -> hold(cockpit, cockpit.observer());
             case GO_TO -> goTo(cockpit, (Command.GoTo) command);
+            case CHANGE_SPEED ->
+                table == ArduPilotModeTable.PLANE
+                        ? SpeedExchanges.changePlane(cockpit, (ChangeSpeed) command, kind)
+                        : SpeedExchanges.change(cockpit, (ChangeSpeed) command, kind);
             case TURN -> turn(cockpit, ((Command.Turn) command).degrees());
             case UPLOAD_MISSION ->
                 upload(cockpit, ((Command.UploadMission) command).mission().items());
@@ -334,7 +342,8 @@ final class ArduPilotAdapter implements AutopilotAdapter {
                 ExchangeSequence.Step.of(() -> new FallbackExchange(
                         reposition,
                         refused -> reposition.isUnknownToVehicle(),
-                        () -> new PositionTargetExchange(cockpit.target(), message)))));
+                        () -> new PositionTargetExchange(cockpit.target(), message))),
+                SpeedExchanges.again(cockpit, kind)));
     }
 
     /** ArduPilot overwrites item by item: one that flies its mission holds first. */

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.dronemap.core.command.ChangeSpeed;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.command.OutcomeCode;
@@ -173,6 +174,9 @@ final class Px4Adapter implements AutopilotAdapter {
             can.add(Capability.TAKE_OFF);
             can.add(Capability.LAND);
         }
+        if (kind != VehicleKind.UNKNOWN && kind != VehicleKind.SUBMARINE) {
+            can.add(Capability.CHANGE_SPEED);
+        }
         return can;
     }
 
@@ -206,6 +210,7 @@ final class Px4Adapter implements AutopilotAdapter {
             case RETURN_TO_LAUNCH -> mode(cockpit, RTL);
             case HOLD, PAUSE_MISSION -> mode(cockpit, LOITER);
             case GO_TO -> goTo(cockpit, (Command.GoTo) command);
+            case CHANGE_SPEED -> SpeedExchanges.change(cockpit, (ChangeSpeed) command, kind);
             case UPLOAD_MISSION ->
                 upload(cockpit, ((Command.UploadMission) command).mission().items());
             case START_MISSION -> start(cockpit, (Command.StartMission) command);
@@ -294,6 +299,8 @@ final class Px4Adapter implements AutopilotAdapter {
             return BasicExchanges.refuse(OutcomeCode.HOME_UNKNOWN, NO_HOME);
         }
         double altitude = command.altitude().meters() + (relative && home != null ? home : 0);
+        // Without one it goes at its usual speed, whatever it was told before.
+        Double speed = cockpit.status().speed();
         CommandInt message = new CommandInt(
                 cockpit.target().systemId(),
                 cockpit.target().componentId(),
@@ -301,7 +308,7 @@ final class Px4Adapter implements AutopilotAdapter {
                 BasicExchanges.DO_REPOSITION,
                 0,
                 0,
-                -1f,
+                speed == null ? -1f : speed.floatValue(),
                 1f,
                 0f,
                 Float.NaN,

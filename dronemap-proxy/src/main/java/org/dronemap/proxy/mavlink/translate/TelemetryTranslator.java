@@ -138,8 +138,10 @@ public final class TelemetryTranslator {
         phase(phase);
     }
 
+    /** What cannot fly may say that it does: PX4's rovers do as long as they are armed. */
     private void phase(@Nullable FlightPhase phase) {
-        if (phase != null && phase != status.phase()) {
+        boolean flies = !VehicleType.kind(status.type()).neverFlies();
+        if (flies && phase != null && phase != status.phase()) {
             status.phase(phase);
             out.accept(new DroneEvent.PhaseReported(phase));
         }

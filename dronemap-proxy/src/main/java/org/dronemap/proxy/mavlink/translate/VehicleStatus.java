@@ -32,6 +32,7 @@ public final class VehicleStatus {
     private int lastSeqReached = -1;
     private @Nullable List<MissionItemInt> mission;
     private int pictures;
+    private @Nullable Double speed;
 
     /**
      * @param type the MAV_TYPE, which makes the session
@@ -87,6 +88,7 @@ public final class VehicleStatus {
         Double above = altitudeAboveHomeMeters;
         FlightPhase last = phase;
         return armed()
+                && !VehicleType.kind(type).neverFlies()
                 && (last != null ? last != FlightPhase.ON_GROUND : above != null && above > CLEARLY_ABOVE_METERS);
     }
 
@@ -126,7 +128,11 @@ public final class VehicleStatus {
         return currentSeq;
     }
 
+    /** Vehicles forget a speed that they were told with the mode that they were in. */
     void heartbeat(Heartbeat last, String modeName) {
+        if (!modeName.equals(mode)) {
+            speed = null;
+        }
         heartbeat = last;
         mode = modeName;
     }
@@ -137,6 +143,16 @@ public final class VehicleStatus {
 
     void phase(FlightPhase heard) {
         phase = heard;
+    }
+
+    void speedChanged(double metersPerSecond) {
+        speed = metersPerSecond;
+    }
+
+    /** What it was told since it is in this mode, in m/s; null: nothing. */
+    @Nullable
+    Double speed() {
+        return speed;
     }
 
     void position(Position heard) {

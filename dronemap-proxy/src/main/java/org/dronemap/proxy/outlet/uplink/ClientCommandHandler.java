@@ -90,7 +90,7 @@ final class ClientCommandHandler {
     private static boolean isPayload(Command command) {
         return switch (command.kind().contention()) {
             case CAMERA, RELAY -> true;
-            case ARMING, FLIGHT, TRANSFER, PARAMETERS, LOGS, HOME, MAP -> false;
+            case ARMING, FLIGHT, SPEED, TRANSFER, PARAMETERS, LOGS, HOME, MAP -> false;
         };
     }
 

@@ -2,12 +2,14 @@ package org.dronemap.proxy.outlet.uplink;
 
 import java.util.Map;
 import java.util.TreeMap;
+import org.dronemap.core.command.ChangeSpeed;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.command.RelaySetting;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
+import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.mavlink.message.CommandInt;
@@ -85,6 +87,7 @@ final class ClientCommandReader {
         words.put(22, new Entry("NAV_TAKEOFF", "takeOff", ClientCommandReader::takeOff));
         words.put(115, new Entry("CONDITION_YAW", "turn", ClientCommandReader::turn));
         words.put(SET_MODE, new Entry("DO_SET_MODE", "setMode", ClientCommandReader::mode));
+        words.put(178, new Entry("DO_CHANGE_SPEED", "changeSpeed", ClientCommandReader::speed));
         words.put(179, new Entry("DO_SET_HOME", "setHome", ClientCommandReader::home));
         words.put(181, new Entry("DO_SET_RELAY", "setRelay", ClientCommandReader::relay));
         words.put(192, new Entry("DO_REPOSITION", "goTo", ClientCommandReader::goTo));
@@ -154,6 +157,21 @@ final class ClientCommandReader {
             return new ClientIntent.Denied("Only turns from where it looks now pass.");
         }
         return order(new Command.Turn(command.param3() < 0 ? -command.param1() : command.param1()));
+    }
+
+    /** By type 0 a copter understands its speed over the ground, and by type 1 a plane something else. */
+    private static ClientIntent speed(Context asked) {
+        CommandInt command = asked.command();
+        int type = Math.round(command.param1());
+        VehicleKind kind = asked.state().identification().kind();
+        boolean wings = kind == VehicleKind.FIXED_WING || kind == VehicleKind.VTOL;
+        if (type != 0 && (type != 1 || wings)) {
+            return new ClientIntent.Denied(
+                    "Only the speed through the air (0) of planes passes, and that over the ground (1) of others.");
+        }
+        return command.param3() > 0
+                ? new ClientIntent.Denied("A speed passes without a throttle.")
+                : order(new ChangeSpeed(command.param2()));
     }
 
     private static ClientIntent mode(Context asked) {

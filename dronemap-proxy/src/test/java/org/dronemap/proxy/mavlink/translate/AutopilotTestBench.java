@@ -6,6 +6,7 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.ParamValue;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
 import org.dronemap.proxy.mavlink.procedure.ExchangeObserver;
 import org.dronemap.proxy.mavlink.procedure.MissionDownload;
@@ -24,6 +25,7 @@ final class AutopilotTestBench {
     private final AutopilotAdapter autopilot;
     final List<String> warnings = new ArrayList<>();
     private final CommandContext cockpit;
+    private final ParameterTable parameters;
 
     AutopilotTestBench(Heartbeat heartbeat) {
         autopilot = AutopilotAdapter.of(heartbeat);
@@ -35,14 +37,14 @@ final class AutopilotTestBench {
                 progress.add(done + "/" + total);
             }
         };
+        parameters = new ParameterTable(autopilot, event -> {});
         cockpit = new CommandContext(
-                status,
-                new ParameterTable(autopilot, event -> {}),
-                wire.target(),
-                observer,
-                news::add,
-                this::missionRead,
-                warnings::add);
+                status, parameters, wire.target(), observer, news::add, this::missionRead, warnings::add);
+    }
+
+    /** The vehicle says one of its parameters. */
+    void told(ParamValue value) {
+        parameters.received(wire.frame(value));
     }
 
     private void missionRead(MissionDownload read) {

@@ -14,6 +14,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.dronemap.core.cloud.rule.CommandTimeoutWatch;
 import org.dronemap.core.cloud.rule.CommandTracker;
+import org.dronemap.core.command.ChangeSpeed;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.ReadHome;
@@ -52,6 +53,7 @@ class WaitingTimesTableTest {
             Map.entry("takeOff", new Given(GUIDED, new Command.TakeOff(10))),
             Map.entry("goTo", new Given(GUIDED, new Command.GoTo(new Geodetic(47, 8), Altitude.aboveHome(10)))),
             Map.entry("turn", new Given(GUIDED, new Command.Turn(90))),
+            Map.entry("changeSpeed", new Given(GUIDED, new ChangeSpeed(5))),
             Map.entry("takePicture", new Given(GUIDED, new Command.TakePicture())),
             Map.entry("setRelay", new Given(GUIDED, new Command.SetRelay(0, RelaySetting.ON))));
 
