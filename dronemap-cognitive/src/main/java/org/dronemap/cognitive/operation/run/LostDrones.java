@@ -33,7 +33,6 @@ final class LostDrones {
     private static final Duration LONGEST_UNTOLD = Duration.ofSeconds(8);
 
     private static final double STEEPLY_METERS = 120;
-    private static final double AT_HOME_METERS = 15;
 
     private LostDrones() {}
 
@@ -188,7 +187,7 @@ final class LostDrones {
     }
 
     private static void down(RunTransition draft, RunDrone drone, DroneObservation look, boolean explained) {
-        if (explained && isAtHome(drone, look)) {
+        if (explained && HomeArrival.isAtHome(drone, look)) {
             rejoin(draft, drone);
             return;
         }
@@ -206,15 +205,7 @@ final class LostDrones {
 
     /** Whether it is down where its fail-safe brings it, after it had missed the cloud: nothing is wrong with it. */
     static boolean cameHome(RunDrone drone, DroneObservation look) {
-        return RunCloudLoss.hasMissed(drone) && isAtHome(drone, look);
-    }
-
-    static boolean isAtHome(RunDrone drone, DroneObservation look) {
-        Place place = look.place();
-        return place != null
-                && Geodesy.distanceMeters(
-                                place.point(), drone.craft().finish().place().point())
-                        < AT_HOME_METERS;
+        return RunCloudLoss.hasMissed(drone) && HomeArrival.isAtHome(drone, look);
     }
 
     static void rejoin(RunTransition draft, RunDrone drone) {

@@ -49,6 +49,14 @@ public record RunDrone(
             String name,
             VehicleKind kind,
             @Nullable Double returnMeters) {
+        /** Else it drives or swims, and is never in the air. */
+        public boolean flies() {
+            return switch (kind) {
+                case ROVER, BOAT, SUBMARINE -> false;
+                case MULTICOPTER, HELICOPTER, FIXED_WING, VTOL, AIRSHIP, UNKNOWN -> true;
+            };
+        }
+
         public Profile with(Craft other) {
             return new Profile(other, name, kind, returnMeters);
         }
