@@ -22,6 +22,10 @@ final class RunDroneMonitor {
         updateFlags(draft, look);
         DroneObstacles.observe(draft, look);
         RunDrone drone = draft.drone(look.drone());
+        if (draft.stopping() && drone.stage() == RunDroneStage.LANDED) {
+            // It is anybody's again.
+            return;
+        }
         if (drone.stage().compareTo(RunDroneStage.RETURNING) <= 0 && isControlledByOthers(draft, drone, look)) {
             suspend(draft, drone, look);
         } else if (RunCloudLoss.isWaitedFor(draft, look)) {
@@ -113,6 +117,7 @@ final class RunDroneMonitor {
                 }
             }
             case UPLOADING, READY, ARMING -> onTheGround(draft, drone, look);
+            case LANDED -> LostDrones.heardOnTheGround(draft, drone);
             case CRASHED -> FlightHealth.checkCrashed(draft, drone, look);
             default -> {}
         }
