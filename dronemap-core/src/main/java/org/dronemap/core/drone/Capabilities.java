@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.dronemap.core.mission.MissionAbilities;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
@@ -14,6 +15,7 @@ import org.jspecify.annotations.Nullable;
  * @param steering what a vehicle goes by in a mode; of one that is not there nothing is known but that it flies by itself
  * @param usual of the modes in which a vehicle goes by something, the one that it is put into for that
  * @param arming for a mode in which the vehicle refuses to be armed, the mode that lets it
+ * @param missions what it takes in missions
  * @param known false until the adapter declared it
  */
 public record Capabilities(
@@ -22,11 +24,12 @@ public record Capabilities(
         Map<String, Steering> steering,
         Map<Steering, String> usual,
         Map<String, String> arming,
+        MissionAbilities missions,
         boolean known) {
     public static final Capabilities NONE = new Capabilities(Set.of(), List.of());
     /** Of a vehicle that was not asked yet. */
     public static final Capabilities UNKNOWN =
-            new Capabilities(Set.of(), List.of(), Map.of(), Map.of(), Map.of(), false);
+            new Capabilities(Set.of(), List.of(), Map.of(), Map.of(), Map.of(), MissionAbilities.ALL, false);
 
     /** Control source of a vehicle in a flight mode, such as a pilot's sticks, commands or the mission on board. */
     @Stored(names = "STICKS ORDERS STANDS MISSION HOME SAFETY")
@@ -70,7 +73,7 @@ public record Capabilities(
 
     /** Of a vehicle that has one mode for each thing. */
     public Capabilities(Set<Capability> commands, List<String> modes, Map<String, Steering> steering) {
-        this(commands, modes, steering, Map.of(), Map.of(), true);
+        this(commands, modes, steering, Map.of(), Map.of(), MissionAbilities.ALL, true);
     }
 
     /** Of a vehicle whose modes say nothing of what it goes by. */
@@ -95,7 +98,12 @@ public record Capabilities(
             Map<String, Steering> steering,
             Map<Steering, String> usual,
             Map<String, String> arming) {
-        return new Capabilities(can, modes, steering, usual, arming, true);
+        return new Capabilities(can, modes, steering, usual, arming, MissionAbilities.ALL, true);
+    }
+
+    /** The same of a vehicle that takes in missions what is said here. */
+    public Capabilities with(MissionAbilities other) {
+        return new Capabilities(commands, modes, steering, usual, arming, other, known);
     }
 
     /** The same of a vehicle that no mode keeps from being armed. */

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
+import org.jspecify.annotations.Nullable;
 
 /** Compares a mission with the one read back from a vehicle, allowing for rounding on the wire. */
 public final class MissionComparison {
@@ -49,7 +50,8 @@ public final class MissionComparison {
                         SAME_ALTITUDE_METERS);
             case WAIT -> near(((MissionItem.Wait) a).seconds(), ((MissionItem.Wait) b).seconds(), SAME_SECONDS);
             case LOOK_AT -> same((MissionItem.LookAt) a, (MissionItem.LookAt) b);
-            case RETURN_TO_LAUNCH, LAND, TAKE_PHOTO, SET_SERVO, LOOK_AHEAD, OTHER -> a.equals(b);
+            case LAND -> same(((MissionItem.Land) a).place(), ((MissionItem.Land) b).place());
+            case RETURN_TO_LAUNCH, TAKE_PHOTO, SET_SERVO, LOOK_AHEAD, OTHER -> a.equals(b);
         };
     }
 
@@ -61,6 +63,13 @@ public final class MissionComparison {
 
     private static boolean same(MissionItem.LookAt one, MissionItem.LookAt other) {
         return same(one.point(), other.point()) && same(one.altitude(), other.altitude());
+    }
+
+    private static boolean same(@Nullable LandingPlace one, @Nullable LandingPlace other) {
+        if (one == null || other == null) {
+            return one == null && other == null;
+        }
+        return same(one.point(), other.point()) && same(one.ground(), other.ground());
     }
 
     private static boolean same(Geodetic one, Geodetic other) {

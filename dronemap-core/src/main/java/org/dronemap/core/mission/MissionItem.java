@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.stored.Stored;
+import org.jspecify.annotations.Nullable;
 
 /** One item of a mission, such as a take-off, a waypoint or a photo. */
 public sealed interface MissionItem {
@@ -66,9 +67,14 @@ public sealed interface MissionItem {
         }
     }
 
-    /** Land where it is. */
-    @Stored(as = "Land")
-    record Land() implements MissionItem {
+    /** Land at that place; null: where it is. */
+    @Stored(as = "Land", names = "place", later = "place")
+    record Land(@Nullable LandingPlace place) implements MissionItem {
+        /** Where it is. */
+        public Land() {
+            this(null);
+        }
+
         @Override
         public Kind kind() {
             return Kind.LAND;

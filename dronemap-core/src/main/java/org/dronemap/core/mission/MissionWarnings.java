@@ -31,6 +31,8 @@ public final class MissionWarnings {
             if (mission.items().get(index) instanceof MissionItem.Waypoint waypoint) {
                 places.add(new Place(index + 1, waypoint.point()));
                 oddAltitude(index + 1, waypoint.altitude()).ifPresent(doubts::add);
+            } else if (mission.items().get(index) instanceof MissionItem.Land land && land.place() != null) {
+                places.add(new Place(index + 1, land.place().point()));
             }
         }
         longWay(places).ifPresent(sentence -> doubts.add(0, sentence));

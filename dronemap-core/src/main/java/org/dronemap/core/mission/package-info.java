@@ -3,7 +3,7 @@
  *
  * <p>Enters: a kind of item, with its altitude's reference.
  *
- * <p>Never: how a vehicle takes it.
+ * <p>Never: how a vehicle is told.
  */
 @NullMarked
 package org.dronemap.core.mission;

@@ -8,6 +8,7 @@ import org.dronemap.core.drone.Home;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.LandingPlace;
 import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
@@ -70,13 +71,28 @@ final class MissionRouteBuilder {
                 MissionItem.Waypoint waypoint = (MissionItem.Waypoint) item;
                 flyTo(waypoint.point(), waypoint.altitude(), words);
             }
-            case LAND -> column("The landing of " + words, altitudes, true);
+            case LAND -> land((MissionItem.Land) item, words);
             case RETURN_TO_LAUNCH -> flyHome(words);
             case OTHER ->
                 doubtful("What " + words + " (" + ((MissionItem.Other) item).description()
                         + ") does to the way is not known");
             case WAIT, TAKE_PHOTO, SET_SERVO, LOOK_AT, LOOK_AHEAD -> {}
         }
+    }
+
+    /** A fixed wing comes down on the way, others at its end. */
+    private void land(MissionItem.Land item, String words) {
+        LandingPlace there = item.place();
+        if (there == null) {
+            column("The landing of " + words, altitudes, true);
+            return;
+        }
+        List<Altitude> all = with(there.ground());
+        leg("The way from " + placeWords + " to " + words, there.point(), all);
+        place = there.point();
+        placeWords = words;
+        altitudes = all;
+        column("The landing of " + words, all, true);
     }
 
     /** Straight up from where it is. */

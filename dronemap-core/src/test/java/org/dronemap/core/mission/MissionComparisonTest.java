@@ -36,6 +36,20 @@ class MissionComparisonTest {
     }
 
     @Test
+    void seesAnotherPlaceOfALanding() {
+        MissionItem here = new MissionItem.Land();
+        MissionItem field = new MissionItem.Land(LandingPlace.levelWithHome(new Geodetic(47.1234567, 8.7654321)));
+        MissionItem rounded = new MissionItem.Land(LandingPlace.levelWithHome(new Geodetic(47.1234568, 8.7654321)));
+        MissionItem moved = new MissionItem.Land(LandingPlace.levelWithHome(new Geodetic(47.12346, 8.7654321)));
+
+        assertThat(MissionComparison.difference(List.of(field), List.of(rounded)))
+                .isEmpty();
+        assertThat(MissionComparison.difference(List.of(field), List.of(moved))).contains("item 1 differs");
+        assertThat(MissionComparison.difference(List.of(field), List.of(here))).contains("item 1 differs");
+        assertThat(MissionComparison.difference(List.of(here), List.of(here))).isEmpty();
+    }
+
+    @Test
     void seesMissingItemsAndOtherKinds() {
         assertThat(MissionComparison.difference(List.of(CLIMB, HERE, HOME), List.of(HERE, CLIMB)))
                 .contains("2 items instead of 3; items 1, 2 differ");

@@ -14,6 +14,7 @@ import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceArea;
+import org.dronemap.core.mission.LandingPlace;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.junit.jupiter.api.Test;
@@ -77,6 +78,21 @@ class ZoneRulesTest {
                 waypoint(0.01, 0),
                 waypoint(0, 0),
                 new MissionItem.Land())));
+
+        assertThat(why(ZoneFixtures.onGround(ZoneFixtures.HOME), upload))
+                .isEqualTo("The way from item 4 to item 5 enters the no-fly zone “Airport” after 445 m.");
+    }
+
+    @Test
+    void checksTheWayToWhereAMissionLands() {
+        book.put(List.of(ZoneFixtures.zone(ZoneFixtures.square(false, 0.005, 0))));
+        Geodetic field = ((MissionItem.Waypoint) waypoint(0, 0)).point();
+        Command upload = new Command.UploadMission(new Mission(List.of(
+                new MissionItem.TakeOff(20),
+                waypoint(0, 0.005),
+                waypoint(0.01, 0.005),
+                waypoint(0.01, 0),
+                new MissionItem.Land(LandingPlace.levelWithHome(field)))));
 
         assertThat(why(ZoneFixtures.onGround(ZoneFixtures.HOME), upload))
                 .isEqualTo("The way from item 4 to item 5 enters the no-fly zone “Airport” after 445 m.");

@@ -75,8 +75,8 @@ public final class CommandRules {
         return switch (command.kind().movement()) {
             case CHANGES_MODE -> modeForbids(drone, ((Command.SetMode) command).mode());
             case GOES -> tooFar(drone, ((Command.GoTo) command).point());
-            case NONE, STANDS, TURNS, CLIMBS, GOES_ON_ITS_MAP, TAKES_MISSION, FLIES_MISSION, COMES_DOWN ->
-                Optional.empty();
+            case TAKES_MISSION -> MissionRules.whyNot(drone, ((Command.UploadMission) command).mission());
+            case NONE, STANDS, TURNS, CLIMBS, GOES_ON_ITS_MAP, FLIES_MISSION, COMES_DOWN -> Optional.empty();
         };
     }
 

@@ -22,6 +22,7 @@ import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.EkfStatusReport;
 import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.mavlink.message.Wind;
 import org.dronemap.proxy.mavlink.procedure.CommandExchange;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
@@ -48,7 +49,6 @@ final class ArduPilotAdapter implements AutopilotAdapter {
     static final int HOME_ITEMS = 1;
     private static final long WIND_MICROS = 5_000_000;
     private static final long ESTIMATOR_MICROS = 1_000_000;
-    private static final MissionCodec.Form FORM = new MissionCodec.Form(true, 0f, 0, 0);
 
     /** In m since ArduCopter 4.7, in cm before. */
     private static final ReturnHeightExchanges.Setting RETURN_HEIGHT = ReturnHeightExchanges.Setting.of(
@@ -130,7 +130,8 @@ final class ArduPilotAdapter implements AutopilotAdapter {
 
     @Override
     public Capabilities capabilities() {
-        return Capabilities.of(can(), modes(), table.steering(), table.usual(), table.arming());
+        return Capabilities.of(can(), modes(), table.steering(), table.usual(), table.arming())
+                .with(MissionAbilityTable.arduPilot(kind));
     }
 
     /** What is not here it cannot. */
@@ -169,6 +170,11 @@ final class ArduPilotAdapter implements AutopilotAdapter {
     @Override
     public boolean parametersAsBits() {
         return false;
+    }
+
+    @Override
+    public Optional<String> missionItemLoss(MissionItemInt item) {
+        return MissionItemLoss.of(item, form());
     }
 
     @Override
@@ -331,7 +337,11 @@ final class ArduPilotAdapter implements AutopilotAdapter {
                 ExchangeSequence.Step.of(() -> new MissionExchanges(cockpit, HOME_ITEMS)
                         .inAnyOrder()
                         .uploadInParts(
-                                mission, MissionCodec.toWire(mission, cockpit.target(), cockpit.status(), FORM)))));
+                                mission, MissionCodec.toWire(mission, cockpit.target(), cockpit.status(), form())))));
+    }
+
+    private MissionCodec.Form form() {
+        return new MissionCodec.Form(true, 0f, 0, 0, kind);
     }
 
     private Exchange returnToLaunch(CommandContext cockpit) {

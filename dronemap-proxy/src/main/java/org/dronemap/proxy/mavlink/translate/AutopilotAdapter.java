@@ -9,6 +9,7 @@ import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
 import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
 import org.jspecify.annotations.Nullable;
@@ -48,6 +49,9 @@ public interface AutopilotAdapter {
 
     /** How many items of a mission on the wire stand before the first real one (home). */
     int itemsBeforeMission();
+
+    /** What of a client's mission item this vehicle would not get as it stands, in words after the item's number. */
+    Optional<String> missionItemLoss(MissionItemInt item);
 
     /** Parameters that are whole numbers travel as their bits, not as their value. */
     boolean parametersAsBits();

@@ -4,8 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.LandingPlace;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
@@ -25,10 +27,18 @@ public final class MissionCodec {
     static final int DO_SET_SERVO = 183;
     static final int DO_SET_ROI_LOCATION = 195;
     static final int DO_SET_ROI_NONE = 197;
+    /** The older one for both of these: with a place to look at, or without one. */
+    static final int DO_SET_ROI = 201;
+
     static final int DO_DIGICAM_CONTROL = 203;
     static final int IMAGE_START_CAPTURE = 2000;
     private static final int FRAME_MISSION = 2;
     private static final int ONE_PHOTO = 1;
+    private static final int ROI_NONE = 0;
+    static final int ROI_PLACE = 3;
+    /** Degrees up; where a mission says nothing, planes climb by 4 degrees and may not clear what is ahead. */
+    static final int TAKE_OFF_PITCH = 15;
+
     private static final double E7 = 1e7;
 
     private MissionCodec() {}
@@ -45,8 +55,8 @@ public final class MissionCodec {
         if (item.command() == NAV_TAKEOFF && isRelative(item)) {
             return new MissionItem.TakeOff(round(item.z()));
         }
-        if (item.command() == NAV_LAND && isNowhere(item)) {
-            return new MissionItem.Land();
+        if (isLanding(item) && (isNowhere(item) || isPlace(item))) {
+            return new MissionItem.Land(isNowhere(item) ? null : new LandingPlace(point(item), altitude(item)));
         }
         if (item.command() == NAV_WAYPOINT && isPlace(item)) {
             return new MissionItem.Waypoint(point(item), altitude(item), Math.max(0, round(item.param1())));
@@ -64,6 +74,7 @@ public final class MissionCodec {
                     case DO_SET_ROI_LOCATION ->
                         isPlace(item) ? new MissionItem.LookAt(point(item), altitude(item)) : null;
                     case DO_SET_ROI_NONE -> new MissionItem.LookAhead();
+                    case DO_SET_ROI -> look(item);
                     case DO_DIGICAM_CONTROL -> item.x() == ONE_PHOTO ? new MissionItem.TakePhoto() : null;
                     case IMAGE_START_CAPTURE -> item.param3() == 1 ? new MissionItem.TakePhoto() : null;
                     default -> null;
@@ -80,6 +91,21 @@ public final class MissionCodec {
         return known ? new MissionItem.SetServo(output, pulse) : null;
     }
 
+    /** The next waypoint, or another vehicle, may be looked at as well; not by the cloud. */
+    private static @Nullable MissionItem look(MissionItemInt item) {
+        if (item.param1() != ROI_NONE && item.param1() != ROI_PLACE) {
+            return null;
+        }
+        if (isNowhere(item) && item.z() == 0) {
+            return new MissionItem.LookAhead();
+        }
+        return isPlace(item) ? new MissionItem.LookAt(point(item), altitude(item)) : null;
+    }
+
+    static boolean isLanding(MissionItemInt item) {
+        return item.command() == NAV_LAND || item.command() == NAV_VTOL_LAND;
+    }
+
     private static Geodetic point(MissionItemInt item) {
         return new Geodetic(item.x() / E7, item.y() / E7);
     }
@@ -90,26 +116,7 @@ public final class MissionCodec {
 
     /** Whether it has a part by which a fixed wing lands: a mark where that begins, and a landing after it. */
     public static boolean hasLandingSequence(List<MissionItemInt> items) {
-        return items.stream()
-                .dropWhile(item -> item.command() != DO_LAND_START)
-                .anyMatch(item -> item.command() == NAV_LAND || item.command() == NAV_VTOL_LAND);
-    }
-
-    /** Whether there is more in an item than what it means to the cloud: settings, in the order of their numbers. */
-    public static boolean hasMore(MissionItemInt item) {
-        int read = switch (item.command()) {
-            case NAV_WAYPOINT -> 1;
-            case DO_SET_SERVO -> 2;
-            case NAV_DELAY, IMAGE_START_CAPTURE -> 4;
-            default -> 0;
-        };
-        float[] settings = {item.param1(), item.param2(), item.param3(), item.param4()};
-        for (int number = read; number < settings.length; number++) {
-            if (!Float.isNaN(settings[number]) && settings[number] != 0) {
-                return true;
-            }
-        }
-        return false;
+        return items.stream().dropWhile(item -> item.command() != DO_LAND_START).anyMatch(MissionCodec::isLanding);
     }
 
     private static boolean isRelative(MissionItemInt item) {
@@ -140,7 +147,7 @@ public final class MissionCodec {
             case 178 -> "change speed";
             case DO_SET_SERVO -> "set a servo";
             case DO_LAND_START -> "begin of the landing sequence";
-            case 201 -> "point the camera";
+            case DO_SET_ROI -> "point the camera";
             case DO_DIGICAM_CONTROL, IMAGE_START_CAPTURE -> "control the camera";
             case 206 -> "take photos by distance";
             default -> "command " + item.command();
@@ -156,7 +163,20 @@ public final class MissionCodec {
     }
 
     /** The form of a mission on the wire: whether home comes first, and how "nothing" is written. */
-    record Form(boolean homeInFront, float noYaw, int hereLatitudeE7, int hereLongitudeE7) {}
+    record Form(boolean homeInFront, float noYaw, int hereLatitudeE7, int hereLongitudeE7, VehicleKind kind) {
+        /** ArduPilot's missions know the older item alone, in every version. */
+        boolean looksByOneItem() {
+            return homeInFront;
+        }
+
+        double takeOffPitch() {
+            return homeInFront && kind == VehicleKind.FIXED_WING ? TAKE_OFF_PITCH : 0;
+        }
+
+        int landing() {
+            return kind == VehicleKind.VTOL ? NAV_VTOL_LAND : NAV_LAND;
+        }
+    }
 
     static List<MissionItemInt> toWire(
             List<MissionItem> mission, MavlinkTarget target, VehicleStatus status, Form form) {
@@ -202,15 +222,13 @@ public final class MissionCodec {
     private static Step step(MissionItem item, Form form) {
         return switch (item.kind()) {
             case TAKE_OFF ->
-                new Step(NAV_TAKEOFF, FRAME_RELATIVE, 0, form.noYaw())
+                new Step(NAV_TAKEOFF, FRAME_RELATIVE, form.takeOffPitch(), form.noYaw())
                         .at(
                                 form.hereLatitudeE7(),
                                 form.hereLongitudeE7(),
                                 ((MissionItem.TakeOff) item).altitudeMeters());
             case WAYPOINT -> waypoint((MissionItem.Waypoint) item, form);
-            case LAND ->
-                new Step(NAV_LAND, FRAME_RELATIVE, 0, form.noYaw())
-                        .at(form.homeInFront() ? 0 : Integer.MAX_VALUE, form.homeInFront() ? 0 : Integer.MAX_VALUE, 0);
+            case LAND -> land(((MissionItem.Land) item).place(), form);
             case RETURN_TO_LAUNCH -> new Step(NAV_RETURN_TO_LAUNCH, FRAME_RELATIVE, 0, 0f);
             case WAIT -> Step.order(NAV_DELAY, ((MissionItem.Wait) item).seconds(), 0);
             case TAKE_PHOTO -> Step.order(DO_DIGICAM_CONTROL, 0, 0).at(ONE_PHOTO, 0, 0);
@@ -219,8 +237,11 @@ public final class MissionCodec {
                         DO_SET_SERVO,
                         ((MissionItem.SetServo) item).output(),
                         ((MissionItem.SetServo) item).pulseMicros());
-            case LOOK_AT -> look((MissionItem.LookAt) item);
-            case LOOK_AHEAD -> Step.order(DO_SET_ROI_NONE, 0, 0);
+            case LOOK_AT -> look((MissionItem.LookAt) item, form);
+            case LOOK_AHEAD ->
+                form.looksByOneItem()
+                        ? new Step(DO_SET_ROI, FRAME_RELATIVE, ROI_NONE, 0f)
+                        : Step.order(DO_SET_ROI_NONE, 0, 0);
             case OTHER -> throw new IllegalArgumentException("not a plannable mission item: " + item);
         };
     }
@@ -230,8 +251,21 @@ public final class MissionCodec {
                 .at(waypoint.point(), waypoint.altitude());
     }
 
-    private static Step look(MissionItem.LookAt look) {
-        return new Step(DO_SET_ROI_LOCATION, frame(look.altitude()), 0, 0f).at(look.point(), look.altitude());
+    private static Step land(@Nullable LandingPlace place, Form form) {
+        if (place != null) {
+            return new Step(form.landing(), frame(place.ground()), 0, form.noYaw()).at(place.point(), place.ground());
+        }
+        int here = form.homeInFront() ? 0 : Integer.MAX_VALUE;
+        return new Step(form.landing(), FRAME_RELATIVE, 0, form.noYaw()).at(here, here, 0);
+    }
+
+    private static Step look(MissionItem.LookAt look, Form form) {
+        return new Step(
+                        form.looksByOneItem() ? DO_SET_ROI : DO_SET_ROI_LOCATION,
+                        frame(look.altitude()),
+                        form.looksByOneItem() ? ROI_PLACE : 0,
+                        0f)
+                .at(look.point(), look.altitude());
     }
 
     private static int frame(Altitude altitude) {

@@ -24,6 +24,7 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.CommandExchange;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
 import org.dronemap.proxy.mavlink.procedure.ExchangeSequence;
@@ -160,7 +161,7 @@ final class Px4Adapter implements AutopilotAdapter {
 
     @Override
     public Capabilities capabilities() {
-        return Capabilities.of(can(), modes(), STEERING, USUAL, ARMING);
+        return Capabilities.of(can(), modes(), STEERING, USUAL, ARMING).with(MissionAbilityTable.px4(kind));
     }
 
     /** What is not here it cannot. */
@@ -176,6 +177,11 @@ final class Px4Adapter implements AutopilotAdapter {
     @Override
     public boolean parametersAsBits() {
         return true;
+    }
+
+    @Override
+    public Optional<String> missionItemLoss(MissionItemInt item) {
+        return MissionItemLoss.of(item, form(0, 0));
     }
 
     @Override
@@ -231,20 +237,27 @@ final class Px4Adapter implements AutopilotAdapter {
         return new SetpointEncoder(target, kind).encode(setpoint);
     }
 
-    private static Exchange upload(CommandContext cockpit, List<MissionItem> mission) {
+    private Exchange upload(CommandContext cockpit, List<MissionItem> mission) {
         return new MissionExchanges(cockpit, 0)
                 .upload(
                         mission,
-                        MissionCodec.toWire(mission, cockpit.target(), cockpit.status(), form(cockpit.status())));
+                        MissionCodec.toWire(
+                                mission,
+                                cockpit.target(),
+                                cockpit.status(),
+                                form(
+                                        cockpit.status().homeLatitudeE7(),
+                                        cockpit.status().homeLongitudeE7())));
     }
 
-    private static MissionCodec.Form form(VehicleStatus status) {
-        boolean homeTold = status.homeLatitudeE7() != 0 || status.homeLongitudeE7() != 0;
+    private MissionCodec.Form form(int homeLatitudeE7, int homeLongitudeE7) {
+        boolean homeTold = homeLatitudeE7 != 0 || homeLongitudeE7 != 0;
         return new MissionCodec.Form(
                 false,
                 Float.NaN,
-                homeTold ? status.homeLatitudeE7() : Integer.MAX_VALUE,
-                homeTold ? status.homeLongitudeE7() : Integer.MAX_VALUE);
+                homeTold ? homeLatitudeE7 : Integer.MAX_VALUE,
+                homeTold ? homeLongitudeE7 : Integer.MAX_VALUE,
+                kind);
     }
 
     private static Exchange mode(CommandContext cockpit, String name) {

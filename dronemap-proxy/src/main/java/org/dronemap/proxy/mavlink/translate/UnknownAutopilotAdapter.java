@@ -11,6 +11,7 @@ import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
 import org.dronemap.proxy.mavlink.procedure.ImmediateExchange;
 import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
@@ -59,6 +60,11 @@ final class UnknownAutopilotAdapter implements AutopilotAdapter {
     @Override
     public boolean parametersAsBits() {
         return false;
+    }
+
+    @Override
+    public Optional<String> missionItemLoss(MissionItemInt item) {
+        return Optional.of("cannot be put on a vehicle whose autopilot is not known here.");
     }
 
     @Override

@@ -1,6 +1,7 @@
 package org.dronemap.proxy.outlet.uplink;
 
 import java.util.List;
+import java.util.Optional;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.mission.Mission;
@@ -8,8 +9,10 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.MavMissionType;
+import org.dronemap.proxy.mavlink.translate.AutopilotAdapter;
 import org.dronemap.proxy.mavlink.translate.FenceCodec;
 import org.dronemap.proxy.mavlink.translate.MissionCodec;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Reads mission items that a ground station uploads to the outlet as one command, completely or not at all. Stateless.
@@ -24,32 +27,35 @@ final class ClientMissionReader {
 
     record Unsupported(String why) implements Read {}
 
-    /** {@code before}: items in front of a mission that are none of it, as the home that some autopilots keep there. */
-    static Read of(int kind, List<MissionItemInt> items, int before) {
+    /** {@code autopilot}: of the vehicle that gets it; null when that is not known yet. */
+    static Read of(int kind, List<MissionItemInt> items, @Nullable AutopilotAdapter autopilot) {
         try {
             if (kind == MavMissionType.FENCE.number()) {
                 return fence(items);
             }
-            return kind == MavMissionType.RALLY.number() ? rally(items) : mission(items, before);
+            return kind == MavMissionType.RALLY.number() ? rally(items) : mission(items, autopilot);
         } catch (IllegalArgumentException e) {
             return new Unsupported("This cannot be put on the vehicle: " + e.getMessage() + ".");
         }
     }
 
-    private static Read mission(List<MissionItemInt> items, int before) {
+    private static Read mission(List<MissionItemInt> items, @Nullable AutopilotAdapter autopilot) {
+        if (autopilot == null) {
+            return new Unsupported("It is not known yet what this vehicle takes; try again in a moment.");
+        }
+        int before = autopilot.itemsBeforeMission();
         if (items.size() <= before) {
             return new Understood(new Command.ClearMission());
         }
         List<MissionItem> mission = MissionCodec.fromWire(items, before);
         for (int index = 0; index < mission.size(); index++) {
-            MissionItemInt item = items.get(before + index);
             if (mission.get(index) instanceof MissionItem.Other other) {
                 return new Unsupported("Item " + (before + index) + " (" + other.description()
                         + ") is none that the cloud can put on a vehicle.");
             }
-            if (MissionCodec.hasMore(item)) {
-                return new Unsupported(
-                        "Item " + (before + index) + " has settings that the cloud would lose; leave them empty.");
+            Optional<String> loss = autopilot.missionItemLoss(items.get(before + index));
+            if (loss.isPresent()) {
+                return new Unsupported("Item " + (before + index) + " " + loss.get());
             }
         }
         return new Understood(new Command.UploadMission(new Mission(mission)));

@@ -168,9 +168,8 @@ final class ClientMissionWriteHandler {
 
     private static ClientMissionReader.Read read(Upload intake) {
         Frame beat = intake.asked.vehicle().newest(Heartbeat.ID);
-        int before =
-                beat == null ? 0 : AutopilotAdapter.of(Heartbeat.decode(beat)).itemsBeforeMission();
-        return ClientMissionReader.of(intake.kind, intake.items, before);
+        AutopilotAdapter autopilot = beat == null ? null : AutopilotAdapter.of(Heartbeat.decode(beat));
+        return ClientMissionReader.of(intake.kind, intake.items, autopilot);
     }
 
     /** In the newer form first, in the older one to who does not answer that, and from then on in the one that was answered. */

@@ -154,7 +154,10 @@ class MissionExchangesTest {
 
         int before = arduPilot ? 1 : 0;
         List<MissionItemInt> wire = vehicle.held.subList(before, vehicle.held.size());
-        assertThat(wire).extracting(MissionItemInt::command).containsExactly(16, 195, 183, 203, 93, 197, 16);
+        assertThat(wire)
+                .extracting(MissionItemInt::command)
+                .containsExactlyElementsOf(
+                        arduPilot ? List.of(16, 201, 183, 203, 93, 201, 16) : List.of(16, 195, 183, 203, 93, 197, 16));
         assertThat(wire.get(1))
                 .returns(471_000_000, MissionItemInt::x)
                 .returns(86_000_000, MissionItemInt::y)
@@ -192,10 +195,11 @@ class MissionExchangesTest {
         assertThat(MissionCodec.fromWire(foreign, 0)).allMatch(MissionItem.Other.class::isInstance);
         assertThat(MissionCodec.fromWire(List.of(order(0, 2000, new float[] {0, 0, 1, 3}, 0)), 0))
                 .containsExactly(new MissionItem.TakePhoto());
-        assertThat(MissionCodec.hasMore(order(0, 203, new float[] {1, 0, 0, 0}, 1)))
-                .isTrue();
-        assertThat(MissionCodec.hasMore(order(0, 93, new float[] {5, -1, -1, -1}, 0)))
-                .isFalse();
+        AutopilotAdapter copter = AutopilotAdapter.of(AutopilotTestBench.ARDUCOPTER);
+        assertThat(copter.missionItemLoss(order(0, 203, new float[] {1, 0, 0, 0}, 1)))
+                .contains("has settings that the cloud would lose; leave them empty.");
+        assertThat(copter.missionItemLoss(order(0, 93, new float[] {5, -1, -1, -1}, 0)))
+                .isEmpty();
     }
 
     private static MissionItemInt order(int seq, int command, float[] settings, int x) {

@@ -4,8 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.LandingPlace;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.store.StoreException;
+import org.jspecify.annotations.Nullable;
 import tools.jackson.core.JacksonException;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -55,7 +57,14 @@ public final class MissionItemJson {
             }
             case LOOK_AT -> putPlace(to, ((MissionItem.LookAt) item).point(), ((MissionItem.LookAt) item).altitude());
             case OTHER -> to.put("description", ((MissionItem.Other) item).description());
-            case RETURN_TO_LAUNCH, LAND, TAKE_PHOTO, LOOK_AHEAD -> {}
+            case LAND -> putLanding(to, ((MissionItem.Land) item).place());
+            case RETURN_TO_LAUNCH, TAKE_PHOTO, LOOK_AHEAD -> {}
+        }
+    }
+
+    private static void putLanding(ObjectNode to, @Nullable LandingPlace place) {
+        if (place != null) {
+            putPlace(to, place.point(), place.ground());
         }
     }
 
@@ -74,7 +83,9 @@ public final class MissionItemJson {
             case TAKE_OFF -> new MissionItem.TakeOff(number(node, "altitudeMeters"));
             case WAYPOINT -> new MissionItem.Waypoint(point(node), altitude(node), number(node, "holdSeconds"));
             case RETURN_TO_LAUNCH -> new MissionItem.ReturnToLaunch();
-            case LAND -> new MissionItem.Land();
+            case LAND ->
+                new MissionItem.Land(
+                        node.has("latitudeDegrees") ? new LandingPlace(point(node), altitude(node)) : null);
             case WAIT -> new MissionItem.Wait(number(node, "seconds"));
             case TAKE_PHOTO -> new MissionItem.TakePhoto();
             case SET_SERVO ->

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Random;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.LandingPlace;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.store.StoreException;
 import org.junit.jupiter.api.Test;
@@ -20,6 +21,8 @@ class MissionItemJsonTest {
                 new MissionItem.Waypoint(new Geodetic(47.5, 8.25), new Altitude(500, Altitude.Reference.AMSL), 1.5),
                 new MissionItem.ReturnToLaunch(),
                 new MissionItem.Land(),
+                new MissionItem.Land(
+                        new LandingPlace(new Geodetic(47.5, 8.25), new Altitude(4, Altitude.Reference.HOME))),
                 new MissionItem.Wait(2.5),
                 new MissionItem.TakePhoto(),
                 new MissionItem.SetServo(9, 1_900),
@@ -31,6 +34,8 @@ class MissionItemJsonTest {
                         + "{\"type\":\"waypoint\",\"latitudeDegrees\":47.5,\"longitudeDegrees\":8.25,"
                         + "\"altitudeMeters\":500.0,\"altitudeReference\":\"amsl\",\"holdSeconds\":1.5},"
                         + "{\"type\":\"returnToLaunch\"},{\"type\":\"land\"},"
+                        + "{\"type\":\"land\",\"latitudeDegrees\":47.5,\"longitudeDegrees\":8.25,"
+                        + "\"altitudeMeters\":4.0,\"altitudeReference\":\"home\"},"
                         + "{\"type\":\"wait\",\"seconds\":2.5},{\"type\":\"takePhoto\"},"
                         + "{\"type\":\"setServo\",\"output\":9,\"pulseMicros\":1900},"
                         + "{\"type\":\"lookAt\",\"latitudeDegrees\":47.5,\"longitudeDegrees\":8.25,"
@@ -52,6 +57,9 @@ class MissionItemJsonTest {
         }
         items.add(new MissionItem.TakeOff(Double.NaN));
         items.add(new MissionItem.Wait(0.1));
+        items.add(new MissionItem.Land());
+        items.add(new MissionItem.Land(
+                new LandingPlace(new Geodetic(-1.25, 179), new Altitude(420.5, Altitude.Reference.AMSL))));
         items.add(new MissionItem.TakePhoto());
         items.add(new MissionItem.SetServo(32, 2_500));
         items.add(new MissionItem.LookAt(new Geodetic(-1.5, 179), new Altitude(9_000, Altitude.Reference.AMSL)));
