@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  * @param replay it comes from a recording: shown, never commanded
  * @param local where it is in a frame of its own; null where it has none
  * @param returnHeight null: the cloud has not set it
- * @param readyToArm what the vehicle's own pre-arm checks say
+ * @param readyToArm the vehicle's own pre-arm checks pass, and it knows where it is, as far as it tells
  * @param messages newest last, at most {@link #MAX_MESSAGES}
  * @param version rises with every change of this drone
  * @param groundAmslMeters of the ground that it stands on, or left; what bounds above home are measured from

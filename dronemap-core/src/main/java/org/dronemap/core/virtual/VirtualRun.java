@@ -137,6 +137,12 @@ public record VirtualRun(
         return with(stage, again, note, why, changedAt);
     }
 
+    /** The same is tried again later, which is no failed try; when the stage began stays as it was. */
+    VirtualRun waiting(String words, String why, Instant now) {
+        VirtualRunAssignment again = assignment == null ? null : assignment.fresh(assignment.tries(), now);
+        return with(stage, again, words, why, changedAt);
+    }
+
     VirtualRun flown(int waypoints) {
         return waypoints <= flown
                 ? this

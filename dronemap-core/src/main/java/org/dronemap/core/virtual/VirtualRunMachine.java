@@ -112,7 +112,7 @@ public final class VirtualRunMachine {
             VirtualRun run, VirtualRunAssignment assignment, DroneState drone, VirtualRunObservation sight) {
         return switch (run.stage()) {
             case UPLOADING -> upload(run, assignment, drone, sight);
-            case ARMING -> arm(run, assignment, drone, sight);
+            case ARMING -> VirtualArming.next(run, assignment, drone, sight);
             case STARTING -> start(run, assignment, drone, sight);
             case FLYING -> fly(run, assignment, drone, sight);
             case RETURNING -> comeHome(run, assignment, drone, sight);
@@ -133,21 +133,6 @@ public final class VirtualRunMachine {
         }
         return VirtualRunStep.send(
                 run, new Command.UploadMission(share(run, assignment).mission()));
-    }
-
-    private static VirtualRunStep arm(
-            VirtualRun run, VirtualRunAssignment assignment, DroneState drone, VirtualRunObservation sight) {
-        if (Boolean.TRUE.equals(drone.armed())) {
-            return VirtualRunStep.unchanged(run.to(STARTING, assignment.tries(), "The drone starts.", sight.now()));
-        }
-        if (sight.outcome() != null && !(sight.outcome() instanceof Outcome.Succeeded)) {
-            return tryAgain(run, assignment, drone, sight);
-        }
-        boolean takesOrders = drone.capabilities().steering(drone.mode()).equals(Optional.of(Steering.ORDERS));
-        // After a flight it may stand in a mode in which it cannot be armed.
-        Optional<String> mode =
-                takesOrders ? Optional.empty() : drone.capabilities().mode(Steering.ORDERS);
-        return VirtualRunStep.send(run, mode.<Command>map(Command.SetMode::new).orElseGet(Command.Arm::new));
     }
 
     private static VirtualRunStep start(
@@ -309,7 +294,7 @@ public final class VirtualRunMachine {
         return Duration.between(assignment.changedAt(), sight.now());
     }
 
-    private static VirtualRunStep tryAgain(
+    static VirtualRunStep tryAgain(
             VirtualRun run, VirtualRunAssignment assignment, DroneState drone, VirtualRunObservation sight) {
         String why = reason(sight.outcome());
         if (assignment.tries() + 1 < MOST_TRIES) {
@@ -321,7 +306,7 @@ public final class VirtualRunMachine {
                 : giveUp(failed, "The drone could not be made to fly; it is brought to rest.", sight);
     }
 
-    private static String reason(@Nullable Outcome outcome) {
+    static String reason(@Nullable Outcome outcome) {
         String why = outcome == null ? null : outcome.reason();
         return why == null ? "It did not show in time." : why;
     }

@@ -76,6 +76,45 @@ class VirtualRunMachineTest {
     }
 
     @Test
+    void waitsForADroneThatCannotBeArmedYet() {
+        sent(null);
+        sent(new Outcome.Succeeded());
+        Outcome refused = new Outcome.Refused("vehicle", "Need Position Estimate", OutcomeCode.VEHICLE_FAILED);
+        boolean asked = true;
+        int tries = 0;
+        for (int second = 0; second < 100; second++) {
+            asked = sent(asked ? refused : null) != null;
+            tries += asked ? 1 : 0;
+            now = now.plusSeconds(1);
+        }
+
+        assertThat(tries).isBetween(20, 40);
+        assertThat(run.stage()).isEqualTo(VirtualRunStage.ARMING);
+        assertThat(run.note()).contains("cannot be armed yet", "120 s");
+        assertThat(run.detail()).isEqualTo("Need Position Estimate");
+        drone.armed = true;
+        sent(new Outcome.Succeeded());
+        assertThat(run.stage()).isEqualTo(VirtualRunStage.STARTING);
+        assertThat(run.detail()).isNull();
+    }
+
+    @Test
+    void leavesADroneThatCouldNotBeArmedForTwoMinutesToAnother() {
+        sent(null);
+        sent(new Outcome.Succeeded());
+        Outcome refused = new Outcome.Refused("vehicle", "Compass not calibrated", OutcomeCode.VEHICLE_FAILED);
+        sent(refused);
+        now = now.plusSeconds(130);
+        sent(refused);
+        sent(refused);
+        VirtualRunStep last = step(refused);
+
+        assertThat(last.release()).isEqualTo(VirtualRunStep.Release.FREE);
+        assertThat(run.stage()).isEqualTo(VirtualRunStage.QUEUED);
+        assertThat(run.detail()).isEqualTo("Compass not calibrated");
+    }
+
+    @Test
     void leavesTheRestToAnotherWhenTheDroneComesDown() {
         flyTo(2);
         drone.armed = false;

@@ -55,7 +55,10 @@ final class CraftSnapshots {
         return switch (drone.stage()) {
             case LANDED, UPLOADING, READY, ARMING -> Start.onGround(place);
             case FLYING, STARTING -> isTakingOff(drone) ? onTop(drone, place) : Start.inFlight(place);
-            default -> look.airborne() ? new Start(place, true, UNTIL_ON_BOARD_SECONDS) : Start.onGround(place);
+            default ->
+                look.airborne() || !drone.profile().flies()
+                        ? new Start(place, true, UNTIL_ON_BOARD_SECONDS)
+                        : Start.onGround(place);
         };
     }
 

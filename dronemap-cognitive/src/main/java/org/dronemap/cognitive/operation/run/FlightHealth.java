@@ -131,6 +131,7 @@ final class FlightHealth {
         Sortie sortie = drone.sortie();
         if (place == null
                 || sortie == null
+                || !drone.profile().flies()
                 || drone.stage() == RunDroneStage.RETURNING
                 || look.still().compareTo(LIES) < 0
                 || !(place.altitudeAmslMeters() < lowestUp(draft, drone, look, sortie))) {

@@ -34,7 +34,9 @@ final class LaunchTiming {
         draft.explain(
                 RunTrigger.START,
                 null,
-                "All missions are on board; " + RunMessages.count(flying, "drone") + " set off.");
+                flying == 1
+                        ? "The mission of 1 drone is on board; it is armed and started at its time."
+                        : "The missions of " + flying + " drones are on board; each is armed and started at its time.");
     }
 
     static boolean isDue(RunTransition draft, Sortie sortie) {

@@ -33,7 +33,6 @@ final class LostDrones {
     private static final Duration LONGEST_UNTOLD = Duration.ofSeconds(8);
 
     private static final double STEEPLY_METERS = 120;
-    private static final double AT_HOME_METERS = 15;
 
     private LostDrones() {}
 
@@ -47,9 +46,32 @@ final class LostDrones {
 
     private static void onTheGround(RunTransition draft, RunDrone drone) {
         if (drone.stage() != RunDroneStage.LANDED || !drone.orders().isEmpty()) {
-            String words = "Nothing is heard of " + drone.name() + ", which stands on the ground.";
-            DroneWithdrawal.withdraw(draft, drone.withSortie(null, 0), RunDroneStage.LANDED, RunTrigger.LOST, words);
+            DroneWithdrawal.withdraw(
+                    draft, drone.withSortie(null, 0), RunDroneStage.LANDED, RunTrigger.LOST, silentOnTheGround(drone));
         }
+    }
+
+    private static String silentOnTheGround(RunDrone drone) {
+        return "Nothing is heard of " + drone.name() + ", which stands on the ground.";
+    }
+
+    /** It may get waypoints again, and is no longer said to be silent. */
+    static void heardOnTheGround(RunTransition draft, RunDrone drone) {
+        if (silentOnTheGround(drone).equals(drone.note())) {
+            draft.put(drone.noted(null));
+            draft.explain(RunTrigger.HEARD_AGAIN, drone.id(), drone.name() + " is heard again; it is on the ground.");
+        }
+    }
+
+    private static String silentInTheAir(String name, List<String> reserved) {
+        return "Nothing is heard of " + name + " any more; it may still fly. "
+                + switch (reserved.size()) {
+                    case 0 -> "Nothing is reserved for it.";
+                    case 1 -> "1 waypoint (" + reserved.get(0) + ") is reserved for it.";
+                    default ->
+                        RunMessages.count(reserved.size(), "waypoint") + " (" + RunMessages.list(reserved)
+                                + ") are reserved for it.";
+                };
     }
 
     private static void inTheAir(RunTransition draft, RunDrone drone, DroneObservation look) {
@@ -66,11 +88,7 @@ final class LostDrones {
                 until,
                 heard.plus(longest(drone, look.place(), flies && goesOn)));
         String name = drone.name();
-        String words = "Nothing is heard of " + name + " any more; it may still fly. "
-                + (reserved.isEmpty()
-                        ? "Nothing stays reserved for it."
-                        : RunMessages.count(reserved.size(), "waypoint") + " (" + RunMessages.list(reserved)
-                                + ") stay reserved for it.");
+        String words = silentInTheAir(name, reserved);
         boolean offers = drone.orders().size() > reserved.size();
         RunDrone silent = draft.release(drone, "Nothing was heard of " + name + ".")
                 .withOrders(reserved)
@@ -130,7 +148,7 @@ final class LostDrones {
     }
 
     static void observe(RunTransition draft, DroneObservation look) {
-        RunDrone drone = draft.drone(look.drone());
+        RunDrone drone = renoted(draft, draft.drone(look.drone()));
         RunDrone.LinkLoss silence = Objects.requireNonNull(drone.flags().linkLoss());
         if (look.isLive() && look.ready() && look.mode() != null && look.armed() != null) {
             awaitReports(draft, drone, look);
@@ -146,9 +164,16 @@ final class LostDrones {
         } else if (draft.now().isAfter(silence.reservedUntil())
                 && !drone.orders().isEmpty()) {
             String words = drone.name() + " was not heard again; what was reserved for it is offered to the others.";
-            draft.put(draft.release(drone, words));
+            draft.put(renoted(draft, draft.release(drone, words)));
             draft.addCause(RunTrigger.GONE, drone.id(), words, drone.orders());
         }
+    }
+
+    /** What was reserved for it may have been visited, cancelled or offered to others since. */
+    private static RunDrone renoted(RunTransition draft, RunDrone drone) {
+        RunDrone noted = drone.noted(silentInTheAir(drone.name(), drone.orders()));
+        draft.put(noted);
+        return noted;
     }
 
     /** Who is down says a moment later how far it came. */
@@ -188,7 +213,7 @@ final class LostDrones {
     }
 
     private static void down(RunTransition draft, RunDrone drone, DroneObservation look, boolean explained) {
-        if (explained && isAtHome(drone, look)) {
+        if (explained && HomeArrival.isAtHome(drone, look)) {
             rejoin(draft, drone);
             return;
         }
@@ -206,15 +231,7 @@ final class LostDrones {
 
     /** Whether it is down where its fail-safe brings it, after it had missed the cloud: nothing is wrong with it. */
     static boolean cameHome(RunDrone drone, DroneObservation look) {
-        return RunCloudLoss.hasMissed(drone) && isAtHome(drone, look);
-    }
-
-    static boolean isAtHome(RunDrone drone, DroneObservation look) {
-        Place place = look.place();
-        return place != null
-                && Geodesy.distanceMeters(
-                                place.point(), drone.craft().finish().place().point())
-                        < AT_HOME_METERS;
+        return RunCloudLoss.hasMissed(drone) && HomeArrival.isAtHome(drone, look);
     }
 
     static void rejoin(RunTransition draft, RunDrone drone) {

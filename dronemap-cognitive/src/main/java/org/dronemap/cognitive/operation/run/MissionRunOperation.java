@@ -33,9 +33,19 @@ public final class MissionRunOperation implements Operation<RunState, RunInput> 
     public Set<DroneId> drones(RunState state) {
         Set<DroneId> drones = new LinkedHashSet<>();
         state.drones().stream()
-                .filter(drone -> !state.isOver() && drone.stage().compareTo(RunDroneStage.SILENT) <= 0)
+                .filter(drone -> !state.isOver()
+                        && drone.stage().compareTo(RunDroneStage.SILENT) <= 0
+                        && !isDismissed(state, drone))
                 .forEach(drone -> drones.add(drone.id()));
         return drones;
+    }
+
+    /** It is down, nothing of the run's is left in it, and the run gives it nothing more to do. */
+    private static boolean isDismissed(RunState state, RunDrone drone) {
+        return state.stopping()
+                && drone.stage() == RunDroneStage.LANDED
+                && drone.flags().returnHeight() == null
+                && drone.issuedCommand() == null;
     }
 
     @Override

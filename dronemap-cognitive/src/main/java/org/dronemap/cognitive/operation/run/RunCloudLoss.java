@@ -56,7 +56,7 @@ final class RunCloudLoss {
         if (!explained || done || draft.stopping()) {
             return;
         }
-        if (look.isDisarmed() && LostDrones.isAtHome(drone, look)) {
+        if (look.isDisarmed() && HomeArrival.isAtHome(drone, look)) {
             LostDrones.rejoin(draft, drone);
         } else if (look.comesDown()) {
             String words = drone.name() + " comes home or down by itself, as it missed the cloud.";

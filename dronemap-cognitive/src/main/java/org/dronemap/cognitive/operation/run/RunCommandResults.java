@@ -38,6 +38,8 @@ final class RunCommandResults {
         } else if (drone.stage() == RunDroneStage.RETURNING) {
             // It is called again until it comes.
             draft.put(drone.withIssuedCommand(null));
+        } else if (ArmingPatience.isFor(drone, errand, input.outcome())) {
+            ArmingPatience.refused(draft, drone, reason(input.outcome()));
         } else {
             failed(draft, drone, reason(input.outcome()));
         }

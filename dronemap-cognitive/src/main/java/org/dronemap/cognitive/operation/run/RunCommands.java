@@ -145,7 +145,7 @@ final class RunCommands {
     }
 
     private static void start(RunTransition draft, RunDrone drone, DroneObservation look) {
-        if (look.isOnMission() && look.airborne()) {
+        if (look.isOnMission() && isUp(drone, look)) {
             draft.put(drone.to(RunDroneStage.FLYING, draft.now()));
         } else if (look.isArmed()) {
             draft.sendCommand(drone, IssuedCommand.Purpose.START, begin(draft, true));
@@ -153,6 +153,11 @@ final class RunCommands {
             RunCommandResults.failed(draft, drone, "it was disarmed before it started");
             armAgain(draft, draft.drone(drone.id()));
         }
+    }
+
+    /** Where it is when it is under way: in the air, unless it drives. */
+    private static boolean isUp(RunDrone drone, DroneObservation look) {
+        return look.airborne() || !drone.profile().flies();
     }
 
     private static void armAgain(RunTransition draft, RunDrone drone) {
@@ -167,6 +172,10 @@ final class RunCommands {
 
     private static void fly(RunTransition draft, RunDrone drone, DroneObservation look) {
         Sortie next = drone.next();
+        if (HomeArrival.isDriven(drone, look)) {
+            HomeArrival.end(draft, drone);
+            return;
+        }
         if (next == null
                 || !look.isOnMission()
                 || CraftSnapshots.isTakingOff(drone)
@@ -200,9 +209,9 @@ final class RunCommands {
     private static void resume(RunTransition draft, RunDrone drone, DroneObservation look) {
         if (look.isDisarmed()) {
             draft.put(drone.withSortie(null, 0).to(RunDroneStage.LANDED, draft.now()));
-        } else if (look.waits() && look.airborne()) {
+        } else if (look.waits() && isUp(drone, look)) {
             draft.put(drone.to(RunDroneStage.HOLDING, draft.now()));
-        } else if (!look.airborne()) {
+        } else if (!isUp(drone, look)) {
             draft.sendCommand(drone, IssuedCommand.Purpose.DISARM, new Command.Disarm(false));
             return;
         } else {
@@ -285,12 +294,14 @@ final class RunCommands {
     private static void commandReturn(RunTransition draft, RunDrone drone, DroneObservation look) {
         if (look.isDisarmed()) {
             downAtHome(draft, drone, look);
+        } else if (HomeArrival.standsAtHome(drone, look)) {
+            HomeArrival.end(draft, drone);
         } else if (isStuck(draft, drone, look)) {
             draft.explain(RunTrigger.LATE, drone.id(), drone.name() + " is stuck on its way home.");
             draft.put(drone.noted("It is stuck on its way home.").to(RunDroneStage.LEFT, draft.now()));
         } else if (!look.comesDown() && drone.flags().waitsFor() == null) {
             Command home = look.canReturn() ? new Command.ReturnToLaunch() : new Command.Land();
-            boolean up = look.airborne();
+            boolean up = isUp(drone, look);
             draft.sendCommand(
                     drone.tried(new RunDrone.Attempts(0, draft.now().plus(BETWEEN_CALLS))),
                     up ? IssuedCommand.Purpose.HOME : IssuedCommand.Purpose.DISARM,

@@ -64,6 +64,10 @@ final class RunCompletion {
             parts.add(RunMessages.count(doubles, "visit") + " too many, by drones out of contact.");
         }
         draft.drones().stream()
+                .map(HomeArrival::leftoverNotice)
+                .filter(Objects::nonNull)
+                .forEach(parts::add);
+        draft.drones().stream()
                 .map(ReturnHeightOverride::leftoverNotice)
                 .filter(Objects::nonNull)
                 .forEach(parts::add);

@@ -22,6 +22,10 @@ final class RunDroneMonitor {
         updateFlags(draft, look);
         DroneObstacles.observe(draft, look);
         RunDrone drone = draft.drone(look.drone());
+        if (draft.stopping() && drone.stage() == RunDroneStage.LANDED) {
+            // It is anybody's again.
+            return;
+        }
         if (drone.stage().compareTo(RunDroneStage.RETURNING) <= 0 && isControlledByOthers(draft, drone, look)) {
             suspend(draft, drone, look);
         } else if (RunCloudLoss.isWaitedFor(draft, look)) {
@@ -82,7 +86,7 @@ final class RunDroneMonitor {
         }
         boolean settled = Duration.between(drone.since(), draft.now()).compareTo(UNTIL_SEEN) > 0;
         return switch (drone.stage()) {
-            case FLYING -> look.isSteered() || (look.waits() && settled);
+            case FLYING -> !HomeArrival.isDriven(drone, look) && (look.isSteered() || (look.waits() && settled));
             case STARTING, HOLDING, REPLACING, CONTINUING, RETURNING -> look.isSteered();
             // It is armed in a mode that orders are taken in: somebody else armed it, and not for us.
             case ARMING -> look.isArmed() && look.isSteered() && look.ordersMode() != null;
@@ -107,8 +111,13 @@ final class RunDroneMonitor {
     private static void checkStage(RunTransition draft, RunDrone drone, DroneObservation look) {
         switch (drone.stage()) {
             case FLYING, HOLDING, REPLACING, CONTINUING -> inTheAir(draft, drone, look);
-            case RETURNING -> FlightHealth.checkFall(draft, drone, look);
+            case RETURNING -> {
+                if (!HomeArrival.circles(draft, drone, look)) {
+                    FlightHealth.checkFall(draft, drone, look);
+                }
+            }
             case UPLOADING, READY, ARMING -> onTheGround(draft, drone, look);
+            case LANDED -> LostDrones.heardOnTheGround(draft, drone);
             case CRASHED -> FlightHealth.checkCrashed(draft, drone, look);
             default -> {}
         }
@@ -131,6 +140,8 @@ final class RunDroneMonitor {
     private static void inTheAir(RunTransition draft, RunDrone drone, DroneObservation look) {
         if (look.isDisarmed()) {
             down(draft, drone, look);
+        } else if (HomeArrival.circles(draft, drone, look)) {
+            return;
         } else if (look.comesDown() && !goesHomeByPlan(drone)) {
             DroneWithdrawal.withdraw(
                     draft,
@@ -168,7 +179,10 @@ final class RunDroneMonitor {
                     drone,
                     RunDroneStage.LEFT,
                     RunTrigger.CAME_DOWN,
-                    drone.name() + " came down before its end.");
+                    drone.name()
+                            + (drone.profile().flies()
+                                    ? " came down before its end."
+                                    : " was disarmed before its end."));
         } else {
             FlightHealth.crashed(draft, drone, "its motors stopped in the air");
         }

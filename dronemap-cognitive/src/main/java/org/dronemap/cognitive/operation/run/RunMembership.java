@@ -1,5 +1,6 @@
 package org.dronemap.cognitive.operation.run;
 
+import java.util.List;
 import org.dronemap.cognitive.operation.run.model.RunDrone;
 import org.dronemap.cognitive.operation.run.model.RunDroneStage;
 import org.dronemap.cognitive.operation.run.model.RunInput;
@@ -64,6 +65,25 @@ final class RunMembership {
                 draft.put(target.to(RunWaypoint.State.UNSERVED, null, why));
             }
         }
-        draft.explain(RunTrigger.STOPPED, null, why + " All drones come home.");
+        draft.explain(RunTrigger.STOPPED, null, why + whatTheyDo(draft));
+    }
+
+    private static String whatTheyDo(RunTransition draft) {
+        String words = doing(draft, RunDroneStage.RETURNING, " comes home.", " come home.")
+                + doing(
+                        draft,
+                        RunDroneStage.SILENT,
+                        " is not heard and may still fly.",
+                        " are not heard and may still fly.")
+                + doing(draft, RunDroneStage.SUSPENDED, " is left to who has it.", " are left to who has them.");
+        return words.isEmpty() ? " No drone is under way." : words;
+    }
+
+    private static String doing(RunTransition draft, RunDroneStage stage, String one, String more) {
+        List<String> names = draft.drones().stream()
+                .filter(drone -> drone.stage() == stage)
+                .map(RunDrone::name)
+                .toList();
+        return names.isEmpty() ? "" : " " + RunMessages.list(names) + (names.size() == 1 ? one : more);
     }
 }

@@ -12,7 +12,9 @@ import org.dronemap.cognitive.operation.run.model.RunInput;
 import org.dronemap.cognitive.operation.run.model.RunOrder;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.EnergyBudget;
+import org.dronemap.cognitive.problem.Performance;
 import org.dronemap.cognitive.problem.PlanningProblem;
+import org.dronemap.cognitive.problem.Speeds;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.drone.VehicleKind;
@@ -58,8 +60,35 @@ final class RunFixtures {
         return PlanningProblem.of(places, crafts);
     }
 
+    /** The same with drones of these kinds, where those that drive have no heights to keep. */
+    static RunTestBench mixed(long seed, int waypoints, VehicleKind... kinds) {
+        PlanningProblem copters = problem(kinds.length, waypoints, seed, false);
+        List<Craft> crafts = new ArrayList<>();
+        for (int i = 0; i < kinds.length; i++) {
+            Craft craft = copters.crafts().get(i);
+            crafts.add(kinds[i] == VehicleKind.MULTICOPTER ? craft : craft.with(performance(kinds[i])));
+        }
+        return fleet(
+                PlanningProblem.of(copters.waypoints(), crafts),
+                seed,
+                RunOrder.ApprovalMode.AUTOMATIC,
+                MissionCloudLossPolicy.RETURN_TO_LAUNCH,
+                kinds);
+    }
+
+    /** As quick as the vehicles of the tests are. */
+    private static Performance performance(VehicleKind kind) {
+        Performance usual = Performance.of(kind);
+        return new Performance(
+                new Speeds(10, 2, 1, 0.5, 15, Double.POSITIVE_INFINITY), usual.power(), usual.response(), true);
+    }
+
     static RunTestBench fleet(
-            PlanningProblem problem, long seed, RunOrder.ApprovalMode mode, MissionCloudLossPolicy loss) {
+            PlanningProblem problem,
+            long seed,
+            RunOrder.ApprovalMode mode,
+            MissionCloudLossPolicy loss,
+            VehicleKind... kinds) {
         PlanResult planned = FleetPlanner.plan(problem, seed, SearchBudget.iterations(2_000), progress -> {});
         if (!planned.canBeFlown()) {
             throw new IllegalStateException("seed " + seed + ": " + planned.faults());
@@ -68,8 +97,10 @@ final class RunFixtures {
         List<TestVehicle> vehicles = new ArrayList<>();
         for (int i = 0; i < problem.crafts().size(); i++) {
             Craft craft = problem.crafts().get(i);
-            members.add(new RunOrder.Member(craft.id(), "Drone " + craft.id(), VehicleKind.MULTICOPTER));
+            VehicleKind kind = kinds.length == 0 ? VehicleKind.MULTICOPTER : kinds[i];
+            members.add(new RunOrder.Member(craft.id(), "Drone " + craft.id(), kind));
             TestVehicle vehicle = new TestVehicle(i, 40.0 * i, 0);
+            vehicle.kind = kind;
             if (Double.isFinite(craft.supply().remainingJoules())) {
                 vehicle.fullJoules = craft.supply().remainingJoules();
                 vehicle.joules = vehicle.fullJoules;

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import org.dronemap.cognitive.operation.run.model.RunDrone;
 import org.dronemap.cognitive.operation.run.model.RunDroneStage;
@@ -51,6 +52,8 @@ final class RunTestBench {
     Instant now = START;
     /** Refuses or loses commands. */
     Predicate<OperationAction.SendCommand<RunInput>> loses = give -> false;
+    /** What the vehicle, or the gate, answers instead of doing it. */
+    Function<OperationAction.SendCommand<RunInput>, Optional<Outcome>> refuses = give -> Optional.empty();
 
     double closest = Double.POSITIVE_INFINITY;
     String where = "";
@@ -172,6 +175,7 @@ final class RunTestBench {
     private void give(OperationAction.SendCommand<RunInput> give) {
         boolean lost = loses.test(give);
         boolean long_ = give.command() instanceof Command.UploadMission;
+        Optional<Outcome> refusal = refuses.apply(give);
         later(now.plusMillis(long_ ? 900 : 300), false, () -> {
             TestVehicle vehicle = vehicles.get(give.drone());
             if (long_ && vehicle.transfer != null) {
@@ -182,6 +186,8 @@ final class RunTestBench {
                         Duration.ZERO);
             } else if (vehicle.cut || lost) {
                 ended(give.drone(), give.id(), new Outcome.TimedOut("No answer."), Duration.ofSeconds(5));
+            } else if (refusal.isPresent()) {
+                ended(give.drone(), give.id(), refusal.get(), Duration.ZERO);
             } else {
                 String fault = vehicle.carryOut(give.command());
                 ended(

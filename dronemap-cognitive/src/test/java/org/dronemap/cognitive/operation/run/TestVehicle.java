@@ -2,37 +2,14 @@ package org.dronemap.cognitive.operation.run;
 
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.Collections;
-import java.util.EnumSet;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.Objects;
 import java.util.TreeSet;
 import org.dronemap.cognitive.PlanningFixtures;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.command.SetReturnHeight;
-import org.dronemap.core.drone.Attitude;
-import org.dronemap.core.drone.Battery;
-import org.dronemap.core.drone.Capabilities;
-import org.dronemap.core.drone.Capabilities.Steering;
-import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneState;
-import org.dronemap.core.drone.FlightPhase;
-import org.dronemap.core.drone.Home;
-import org.dronemap.core.drone.Identification;
-import org.dronemap.core.drone.IdentityTrust;
-import org.dronemap.core.drone.LinkQuality;
-import org.dronemap.core.drone.LinkState;
-import org.dronemap.core.drone.LinkStatus;
-import org.dronemap.core.drone.MissionPhase;
-import org.dronemap.core.drone.MissionProgress;
-import org.dronemap.core.drone.Motion;
-import org.dronemap.core.drone.PayloadState;
-import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.ReturnHeight;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
@@ -45,24 +22,8 @@ import org.jspecify.annotations.Nullable;
 final class TestVehicle {
     static final double GROUND = 400;
     private static final LocalPlane PLANE = new LocalPlane(PlanningFixtures.point(0, 0));
-    private static final Capabilities CAN = new Capabilities(
-            EnumSet.allOf(Capability.class),
-            List.of("GUIDED", "AUTO", "BRAKE", "LOITER", "RTL", "LAND"),
-            Map.of(
-                    "GUIDED",
-                    Steering.ORDERS,
-                    "BRAKE",
-                    Steering.ORDERS,
-                    "AUTO",
-                    Steering.MISSION,
-                    "LOITER",
-                    Steering.STICKS,
-                    "RTL",
-                    Steering.SAFETY,
-                    "LAND",
-                    Steering.SAFETY));
-
     final DroneId id;
+    VehicleKind kind = VehicleKind.MULTICOPTER;
     final double homeEast;
     final double homeNorth;
     double cruise = 10;
@@ -123,7 +84,7 @@ final class TestVehicle {
 
     final List<Geodetic> photos = new ArrayList<>();
     final List<MissionItem.SetServo> moved = new ArrayList<>();
-    private final Map<Integer, Instant> photoHeard = new HashMap<>();
+    private final TestVehicleReport report = new TestVehicleReport(this);
     boolean tellsPhotos = true;
 
     @Nullable
@@ -199,14 +160,29 @@ final class TestVehicle {
         }
     }
 
+    /** It never flies. */
+    boolean drives() {
+        return kind == VehicleKind.ROVER || kind == VehicleKind.BOAT;
+    }
+
     private void comeHome(double seconds) {
-        if (Math.hypot(east - homeEast, north - homeNorth) < 0.5) {
+        if (drives()) {
+            to(homeEast, homeNorth, altitude, seconds);
+        } else if (kind == VehicleKind.FIXED_WING) {
+            circle(seconds);
+        } else if (Math.hypot(east - homeEast, north - homeNorth) < 0.5) {
             land(seconds);
         } else if (altitude < GROUND + returnMeters - 0.3) {
             altitude = Math.min(GROUND + returnMeters, altitude + 2 * seconds);
         } else {
             to(homeEast, homeNorth, altitude, seconds);
         }
+    }
+
+    /** Round its home, until somebody brings it down. */
+    private void circle(double seconds) {
+        double angle = Math.atan2(north - homeNorth, east - homeEast) + 0.3;
+        to(homeEast + 60 * Math.cos(angle), homeNorth + 60 * Math.sin(angle), altitude, seconds);
     }
 
     private void goTo(double seconds) {
@@ -242,6 +218,8 @@ final class TestVehicle {
         } else if (!MissionLegs.isFlown(item)) {
             obey(item);
             passed(true);
+        } else if (item instanceof MissionItem.ReturnToLaunch) {
+            mode = "RTL";
         } else if (item instanceof MissionItem.Land) {
             land(seconds);
             if (!armed) {
@@ -259,28 +237,12 @@ final class TestVehicle {
         }
     }
 
-    private PayloadState payload(Instant now) {
-        PayloadState payload = PayloadState.UNKNOWN;
-        if (!photos.isEmpty() && tellsPhotos) {
-            photoHeard.putIfAbsent(photos.size(), now);
-            payload = payload.with(new PayloadState.Photo(
-                    photos.size(),
-                    Objects.requireNonNull(photoHeard.get(photos.size())),
-                    photos.get(photos.size() - 1)));
-        }
-        if (!moved.isEmpty()) {
-            List<Integer> outputs = new ArrayList<>(Collections.nCopies(16, 0));
-            moved.forEach(servo -> outputs.set(servo.output() - 1, servo.pulseMicros()));
-            payload = payload.withOutputs(outputs);
-        }
-        return reading == null ? payload : payload.with(new PayloadState.Reading("temp", reading, now));
-    }
-
     private void passed(boolean done) {
         if (done) {
             reached.add(current);
             held = 0;
             current++;
+            complete |= current == items.size();
         }
     }
 
@@ -292,13 +254,13 @@ final class TestVehicle {
     /** Straight there, as fast as its slower way lets it. */
     private boolean to(double toEast, double toNorth, double toAltitude, double seconds) {
         double meters = Math.hypot(toEast - east, toNorth - north);
-        double up = toAltitude - altitude;
+        double up = drives() ? 0 : toAltitude - altitude;
         double takes = Math.max(meters / cruise, up > 0 ? up / 2 : -up / 1.5);
         double part = takes > seconds ? seconds / takes : 1;
         east += (toEast - east) * part;
         north += (toNorth - north) * part;
         altitude += up * part;
-        return Math.hypot(toEast - east, toNorth - north) < 0.5 && Math.abs(toAltitude - altitude) < 0.3;
+        return Math.hypot(toEast - east, toNorth - north) < 0.5 && (drives() || Math.abs(toAltitude - altitude) < 0.3);
     }
 
     /** Null: succeeded. */
@@ -323,7 +285,7 @@ final class TestVehicle {
             aim = null;
             mode = command instanceof Command.SetMode set
                     ? set.mode()
-                    : command instanceof Command.PauseMission ? "BRAKE" : "RTL";
+                    : command instanceof Command.PauseMission ? (drives() ? "HOLD" : "BRAKE") : "RTL";
         }
         return null;
     }
@@ -344,7 +306,7 @@ final class TestVehicle {
             return "It is not armed.";
         }
         onCloudLoss = start.onCloudLoss();
-        current = start.anew() || !isUp() ? 0 : current;
+        current = start.anew() || (!isUp() && !drives()) ? 0 : current;
         held = 0;
         hesitating = isUp() ? hesitates : 0;
         mode = "AUTO";
@@ -352,43 +314,6 @@ final class TestVehicle {
     }
 
     DroneState state(Instant now) {
-        return new DroneState(
-                id,
-                "Drone " + id.value(),
-                false,
-                new LinkStatus(
-                        new DroneKey("127.0.0.1", 1, 1), "udp", LinkState.LIVE, now, LinkQuality.UNKNOWN, List.of()),
-                new Identification(VehicleKind.MULTICOPTER, "ArduPilot", "ArduCopter", null, null),
-                IdentityTrust.UNPROVED,
-                CAN,
-                mode,
-                armed,
-                true,
-                armed && isUp() ? FlightPhase.IN_AIR : FlightPhase.ON_GROUND,
-                new Position(PlanningFixtures.point(east, north), altitude + 3, altitude - GROUND),
-                null,
-                new Motion(0.0, 0.0, tumbles ? -5 : climb, 0.0),
-                new Attitude(tumbles ? 64 : 0, 0, 0),
-                new Battery((int) Math.floor(Math.max(0, 100 * joules / fullJoules)), null, null),
-                null,
-                new Home(PlanningFixtures.point(homeEast, homeNorth), GROUND),
-                returning,
-                payload(now),
-                untold > 0
-                        ? MissionProgress.UNKNOWN
-                        : new MissionProgress(items, null, currentItem(), phase(), List.copyOf(reached), null),
-                List.of(),
-                now,
-                0,
-                null);
-    }
-
-    /** It heads for nothing where it stands after its mission. */
-    private @Nullable Integer currentItem() {
-        return complete && !isUp() ? null : Integer.valueOf(current);
-    }
-
-    private MissionPhase phase() {
-        return complete ? MissionPhase.COMPLETE : fliesMission() ? MissionPhase.RUNNING : MissionPhase.PAUSED;
+        return report.of(now);
     }
 }

@@ -24,6 +24,7 @@ import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.CommandInt;
+import org.dronemap.mavlink.message.EkfStatusReport;
 import org.dronemap.mavlink.message.ExtendedSysState;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.MissionItemInt;
@@ -53,6 +54,7 @@ final class ArduPilotAdapter implements AutopilotAdapter {
     private static final int ACTIVE = 4;
     static final int HOME_ITEMS = 1;
     private static final long WIND_MICROS = 5_000_000;
+    private static final long ESTIMATOR_MICROS = 1_000_000;
 
     /** In m since ArduCopter 4.7, in cm before. */
     private static final ReturnHeightExchanges.Setting RETURN_HEIGHT = ReturnHeightExchanges.Setting.of(
@@ -130,7 +132,9 @@ final class ArduPilotAdapter implements AutopilotAdapter {
 
     @Override
     public Map<Integer, Long> ownMessages() {
-        return Map.of(Wind.ID, WIND_MICROS);
+        return kind == VehicleKind.SUBMARINE
+                ? Map.of(Wind.ID, WIND_MICROS)
+                : Map.of(Wind.ID, WIND_MICROS, EkfStatusReport.ID, ESTIMATOR_MICROS);
     }
 
     @Override

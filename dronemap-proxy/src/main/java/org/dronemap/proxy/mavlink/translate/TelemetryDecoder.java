@@ -28,7 +28,6 @@ final class TelemetryDecoder {
     private static final double E7 = 1e7;
     private static final int UNKNOWN_U16 = 65_535;
     private static final int UNKNOWN_U8 = 255;
-    private static final long PREARM_CHECK = 0x1000_0000L;
     private static final int DEGREES_KNOWN_BELOW = 36_000;
     /** m/s; nobody flies in more. */
     private static final double STRONGEST_WIND = 60;
@@ -150,13 +149,6 @@ final class TelemetryDecoder {
         return Double.isFinite(fromDegrees) && Double.isFinite(speed) && speed >= 0 && speed < STRONGEST_WIND
                 ? Optional.of(new DroneEvent.WindReported((fromDegrees % 360 + 360) % 360, speed))
                 : Optional.empty();
-    }
-
-    /** Empty when the vehicle does not report its pre-arm checks. */
-    static Optional<Boolean> readyToArm(SysStatus message) {
-        return (message.onboardControlSensorsPresent() & PREARM_CHECK) == 0
-                ? Optional.empty()
-                : Optional.of((message.onboardControlSensorsHealth() & PREARM_CHECK) != 0);
     }
 
     static Optional<Home> home(HomePosition message) {

@@ -9,6 +9,7 @@ import org.dronemap.core.event.DroneEvent;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.AutopilotVersion;
 import org.dronemap.mavlink.message.BatteryStatus;
+import org.dronemap.mavlink.message.EkfStatusReport;
 import org.dronemap.mavlink.message.ExtendedSysState;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.mavlink.message.Heartbeat;
@@ -32,6 +33,7 @@ public final class TelemetryTranslator {
     private final VehicleStatus status;
     private final Consumer<DroneEvent> out;
     private final TelemetryDecoder readings = new TelemetryDecoder();
+    private final ReadinessReports readiness = new ReadinessReports();
     private final StatustextJoiner texts;
     private boolean phasePublished;
 
@@ -68,6 +70,7 @@ public final class TelemetryTranslator {
     private void rare(Frame frame) {
         switch (frame.messageId()) {
             case ExtendedSysState.ID -> landedState(ExtendedSysState.decode(frame));
+            case EkfStatusReport.ID -> ready(readiness.received(EkfStatusReport.decode(frame)));
             case HomePosition.ID -> home(HomePosition.decode(frame));
             case MissionCurrent.ID -> missionCurrent(MissionCurrent.decode(frame));
             case MissionItemReached.ID -> reached(MissionItemReached.decode(frame));
@@ -149,7 +152,11 @@ public final class TelemetryTranslator {
 
     private void sysStatus(SysStatus message) {
         readings.battery(message).ifPresent(battery -> out.accept(new DroneEvent.BatteryReported(battery)));
-        TelemetryDecoder.readyToArm(message).ifPresent(ready -> out.accept(new DroneEvent.ReadinessReported(ready)));
+        ready(readiness.received(message));
+    }
+
+    private void ready(Optional<Boolean> known) {
+        known.ifPresent(ready -> out.accept(new DroneEvent.ReadinessReported(ready)));
     }
 
     private void position(GlobalPositionInt message) {

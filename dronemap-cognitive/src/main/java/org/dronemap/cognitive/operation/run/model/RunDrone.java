@@ -49,6 +49,14 @@ public record RunDrone(
             String name,
             VehicleKind kind,
             @Nullable Double returnMeters) {
+        /** Else it drives or swims, and is never in the air. */
+        public boolean flies() {
+            return switch (kind) {
+                case ROVER, BOAT, SUBMARINE -> false;
+                case MULTICOPTER, HELICOPTER, FIXED_WING, VTOL, AIRSHIP, UNKNOWN -> true;
+            };
+        }
+
         public Profile with(Craft other) {
             return new Profile(other, name, kind, returnMeters);
         }
@@ -82,10 +90,23 @@ public record RunDrone(
         }
     }
 
-    /** The number of failed attempts in a row, and the time before which there is none again. */
-    @Stored(names = "failed notBefore")
-    public record Attempts(int failed, @Nullable Instant notBefore) {
+    /**
+     * The failed attempts at the present step.
+     *
+     * @param failed how many in a row, without those that are waited for
+     * @param notBefore there is none before that
+     * @param refusedSince the first that was refused in a way that may pass; null: none was
+     */
+    @Stored(names = "failed notBefore refusedSince", later = "refusedSince")
+    public record Attempts(
+            int failed,
+            @Nullable Instant notBefore,
+            @Nullable Instant refusedSince) {
         public static final Attempts NONE = new Attempts(0, null);
+
+        public Attempts(int failed, @Nullable Instant notBefore) {
+            this(failed, notBefore, null);
+        }
     }
 
     /**
@@ -236,10 +257,14 @@ public record RunDrone(
         return next == null ? sortie : next;
     }
 
-    /** A new step begins. */
+    /** A new step begins; what kept it from its waypoints is not said of one that is on its way to them. */
     public RunDrone to(RunDroneStage step, Instant now) {
         Flags seen = step == RunDroneStage.FLYING ? flags.begun(true) : flags;
-        return new RunDrone(profile, step, now, orders, sortie, passed, next, null, Attempts.NONE, note, seen);
+        String why = switch (step) {
+            case UPLOADING, STARTING, FLYING -> null;
+            default -> note;
+        };
+        return new RunDrone(profile, step, now, orders, sortie, passed, next, null, Attempts.NONE, why, seen);
     }
 
     public RunDrone with(Profile other) {
