@@ -1,5 +1,6 @@
 package org.dronemap.proxy.session;
 
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -20,6 +21,7 @@ public final class ReplayFeed {
     private final VehicleSessionRegistry table;
     private final int number;
     private final Map<Integer, VehicleLink> links = new LinkedHashMap<>();
+    private final Map<Integer, AutopilotChoice> choices = new HashMap<>();
     private final EarlyVersions beforehand = new EarlyVersions();
 
     ReplayFeed(VehicleSessionRegistry table, int number) {
@@ -33,16 +35,25 @@ public final class ReplayFeed {
         VehicleLink link;
         synchronized (links) {
             link = links.get(systemId);
-            if (link == null) {
-                LinkOrigin label = LinkOrigin.ofReplay(TRANSPORT, number, systemId);
-                link = table.open(label, new VehicleSender(new DiscardingPeer(number)), frame)
+            AutopilotChoice choice = choices.computeIfAbsent(systemId, id -> new AutopilotChoice());
+            if (link == null || choice.isContradictedBy(frame)) {
+                VehicleLink opened = table.open(
+                                LinkOrigin.ofReplay(TRANSPORT, number, systemId),
+                                new VehicleSender(new DiscardingPeer(number)),
+                                frame)
                         .orElse(null);
-                if (link == null) {
+                if (opened != null) {
+                    if (link != null) {
+                        link.replaced();
+                    }
+                    choice.chosen(frame);
+                    links.put(systemId, opened);
+                    beforehand.replayTo(opened, systemId);
+                    link = opened;
+                } else if (link == null) {
                     beforehand.received(frame);
                     return true;
                 }
-                links.put(systemId, link);
-                beforehand.replayTo(link, systemId);
             }
         }
         return link.isOver() || link.arrived(frame);

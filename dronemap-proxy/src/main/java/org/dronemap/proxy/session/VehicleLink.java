@@ -76,6 +76,15 @@ final class VehicleLink {
         cut = true;
     }
 
+    /** Another component of the vehicle turned out to be its autopilot: nothing more of this session. Any thread. */
+    void replaced() {
+        cut = true;
+        VehicleSession owner = session;
+        if (owner != null) {
+            owner.vanish();
+        }
+    }
+
     /** Its connection has ended: nothing will ever come over it again. Any thread. */
     void broke() {
         broken = true;

@@ -8,6 +8,7 @@ import org.dronemap.mavlink.FrameReader;
 import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerCounters;
 import org.dronemap.proxy.endpoint.PeerHandler;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Receives MAVLink bytes from one address, and passes the frames to the vehicles behind it by system id. Owned by the
@@ -19,6 +20,7 @@ final class VehiclePeerHandler implements PeerHandler {
     private final PeerCounters counters;
     private final FrameReader reader = new FrameReader();
     private final Map<Integer, VehicleLink> links = new HashMap<>();
+    private final Map<Integer, AutopilotChoice> choices = new HashMap<>();
     private final EarlyVersions beforehand = new EarlyVersions();
     private long countedFrames;
     private long countedBroken;
@@ -45,23 +47,41 @@ final class VehiclePeerHandler implements PeerHandler {
 
     private void route(Frame frame) {
         int systemId = frame.systemId();
-        VehicleLink link = links.get(systemId);
-        if (link == null || link.isOver()) {
-            VehicleLink opened = table.open(LinkOrigin.of(peer, systemId), new VehicleSender(peer), frame)
-                    .orElse(null);
-            if (opened == null) {
-                beforehand.received(frame);
-                return;
+        VehicleLink known = links.get(systemId);
+        VehicleLink link = known == null || known.isOver() ? null : known;
+        AutopilotChoice choice = choices.computeIfAbsent(systemId, id -> new AutopilotChoice());
+        if (link == null || choice.isContradictedBy(frame)) {
+            VehicleLink opened = open(choice, frame);
+            if (opened != null) {
+                if (link != null) {
+                    link.replaced();
+                }
+                beforehand.replayTo(opened, systemId);
+                links.put(systemId, opened);
+                link = opened;
             }
-            link = opened;
-            beforehand.replayTo(opened, systemId);
-            links.put(systemId, opened);
+        }
+        if (link == null) {
+            beforehand.received(frame);
+            return;
         }
         long lostBefore = link.lost();
         if (!link.arrived(frame)) {
             counters.droppedIn();
         }
         counters.lost(link.lost() - lostBefore);
+    }
+
+    private @Nullable VehicleLink open(AutopilotChoice choice, Frame frame) {
+        if (!choice.admits(frame)) {
+            return null;
+        }
+        VehicleLink opened = table.open(LinkOrigin.of(peer, frame.systemId()), new VehicleSender(peer), frame)
+                .orElse(null);
+        if (opened != null) {
+            choice.chosen(frame);
+        }
+        return opened;
     }
 
     /** The sessions run out by themselves: what is under way goes on if the vehicle comes back in time. */

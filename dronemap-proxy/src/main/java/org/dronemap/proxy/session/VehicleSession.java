@@ -211,11 +211,20 @@ final class VehicleSession implements VehicleChannel, Lane.TimedTask {
         if (bound != null) {
             report(bound, news);
         }
-        long patience = bound == null ? STRANGER_GIVEN_UP_NANOS : GIVEN_UP_NANOS;
+        long patience = bound == null || vanished ? STRANGER_GIVEN_UP_NANOS : GIVEN_UP_NANOS;
         if (now - lastReceivedNanos > patience && conversation.isIdle()) {
+            withdrawReplaced(bound);
             end();
         } else if (bound == null && !ended) {
             claimWhenKnown(now);
+        }
+    }
+
+    /** The drone that was made for somebody who is none. */
+    private void withdrawReplaced(@Nullable DroneLink bound) {
+        if (vanished && bound != null) {
+            loseDrone("Another component of the vehicle is its autopilot; look at the drone.");
+            bound.withdraw();
         }
     }
 
@@ -347,7 +356,7 @@ final class VehicleSession implements VehicleChannel, Lane.TimedTask {
         played = true;
     }
 
-    /** A recording is taken away, and its drone with it. Any thread. */
+    /** Nothing more will come: a recording is taken away, and its drone with it, or another session speaks. Any thread. */
     void vanish() {
         vanished = true;
         DroneLink bound = link;

@@ -1,6 +1,5 @@
 package org.dronemap.proxy.mavlink.translate;
 
-import java.util.Optional;
 import org.dronemap.mavlink.message.EkfStatusReport;
 import org.dronemap.mavlink.message.SysStatus;
 import org.jspecify.annotations.Nullable;
@@ -17,21 +16,24 @@ final class ReadinessReports {
     private @Nullable Boolean checksPass;
     private @Nullable Boolean knowsItsPlace;
 
-    /** Empty: nothing is known of its checks. */
-    Optional<Boolean> received(SysStatus message) {
-        if ((message.onboardControlSensorsPresent() & PREARM_CHECK) != 0) {
-            checksPass = (message.onboardControlSensorsHealth() & PREARM_CHECK) != 0;
-        }
+    /** Null: nothing is known of its checks. */
+    @Nullable
+    Boolean received(SysStatus message) {
+        checksPass = (message.onboardControlSensorsPresent() & PREARM_CHECK) == 0
+                ? null
+                : (Boolean) ((message.onboardControlSensorsHealth() & PREARM_CHECK) != 0);
         return ready();
     }
 
-    Optional<Boolean> received(EkfStatusReport message) {
+    @Nullable
+    Boolean received(EkfStatusReport message) {
         knowsItsPlace = (message.flags() & KNOWS_ITS_PLACE) != 0;
         return ready();
     }
 
     /** Who tells nothing of its estimator is taken at the word of its checks. */
-    private Optional<Boolean> ready() {
-        return Optional.ofNullable(checksPass).map(pass -> pass && !Boolean.FALSE.equals(knowsItsPlace));
+    private @Nullable Boolean ready() {
+        Boolean pass = checksPass;
+        return pass == null ? null : (Boolean) (pass && !Boolean.FALSE.equals(knowsItsPlace));
     }
 }

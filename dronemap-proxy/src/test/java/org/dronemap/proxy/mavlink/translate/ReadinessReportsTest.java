@@ -37,11 +37,13 @@ class ReadinessReportsTest {
         says(new EkfStatusReport(flags, 0.1f, 0.1f, 0.1f, 0.1f, 0f, 0f));
     }
 
+    /** As told last; empty: as not known. */
     private Optional<Boolean> ready() {
         return news.stream()
                 .filter(DroneEvent.ReadinessReported.class::isInstance)
-                .map(event -> ((DroneEvent.ReadinessReported) event).readyToArm())
-                .reduce((first, later) -> later);
+                .map(DroneEvent.ReadinessReported.class::cast)
+                .reduce((first, later) -> later)
+                .map(DroneEvent.ReadinessReported::readyToArm);
     }
 
     @Test
