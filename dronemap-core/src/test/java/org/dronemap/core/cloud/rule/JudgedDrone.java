@@ -22,6 +22,7 @@ import org.dronemap.core.drone.PayloadState;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.MissionAbilities;
 import org.jspecify.annotations.Nullable;
 
 /** A drone as commands are judged by it: live, armed and able to do everything, but for what a test changes. */
@@ -76,7 +77,8 @@ record JudgedDrone(
                 new LinkStatus(key, "udp", LinkState.LIVE, NOW, LinkQuality.UNKNOWN, List.of()),
                 new Identification(kind, "ArduPilot", "ArduPilot", "4.5.6", null),
                 IdentityTrust.UNPROVED,
-                new Capabilities(can, List.copyOf(STEERING.keySet()), STEERING, Map.of(), ARMING, true),
+                new Capabilities(
+                        can, List.copyOf(STEERING.keySet()), STEERING, Map.of(), ARMING, MissionAbilities.ALL, true),
                 mode,
                 armed,
                 true,

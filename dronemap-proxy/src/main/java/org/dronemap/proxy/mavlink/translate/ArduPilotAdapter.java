@@ -221,10 +221,7 @@ final class ArduPilotAdapter implements AutopilotAdapter {
             case RETURN_TO_LAUNCH -> returnToLaunch(cockpit);
             case HOLD, PAUSE_MISSION -> hold(cockpit, cockpit.observer());
             case GO_TO -> goTo(cockpit, (Command.GoTo) command);
-            case CHANGE_SPEED ->
-                table == ArduPilotModeTable.PLANE
-                        ? SpeedExchanges.changePlane(cockpit, (ChangeSpeed) command, kind)
-                        : SpeedExchanges.change(cockpit, (ChangeSpeed) command, kind);
+            case CHANGE_SPEED -> changeSpeed(cockpit, (ChangeSpeed) command);
             case TURN -> turn(cockpit, ((Command.Turn) command).degrees());
             case UPLOAD_MISSION ->
                 upload(cockpit, ((Command.UploadMission) command).mission().items());
@@ -236,9 +233,7 @@ final class ArduPilotAdapter implements AutopilotAdapter {
             case SET_RETURN_HEIGHT ->
                 ReturnHeightExchanges.set(cockpit, (SetReturnHeight) command, kind, RETURN_HEIGHT);
             case RETURN_ON_LOSS -> CloudLossExchanges.comeHome(cockpit, kind, CLOUD_LOSS);
-            case SET_CLOUD_LOSS ->
-                CloudLossExchanges.set(
-                        cockpit, (SetCloudLossAction) command, policy(((SetCloudLossAction) command).afterSeconds()));
+            case SET_CLOUD_LOSS -> setCloudLoss(cockpit, (SetCloudLossAction) command);
             case PUT_BACK -> CloudLossExchanges.putBack(cockpit, (RestoreParameters) command);
             case ARM -> BasicExchanges.arm(cockpit);
             case DISARM -> BasicExchanges.disarm(cockpit, ((Command.Disarm) command).force());
@@ -260,6 +255,16 @@ final class ArduPilotAdapter implements AutopilotAdapter {
     @Override
     public Optional<Message> steer(Setpoint setpoint, MavlinkTarget target) {
         return new SetpointEncoder(target, kind).encode(setpoint);
+    }
+
+    private Exchange changeSpeed(CommandContext cockpit, ChangeSpeed command) {
+        return table == ArduPilotModeTable.PLANE
+                ? SpeedExchanges.changePlane(cockpit, command, kind)
+                : SpeedExchanges.change(cockpit, command, kind);
+    }
+
+    private Exchange setCloudLoss(CommandContext cockpit, SetCloudLossAction command) {
+        return CloudLossExchanges.set(cockpit, command, policy(command.afterSeconds()));
     }
 
     private Exchange mode(CommandContext cockpit, String name, ExchangeObserver observer) {

@@ -13,7 +13,6 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.mavlink.message.GpsRawInt;
 import org.dronemap.mavlink.message.HomePosition;
-import org.dronemap.mavlink.message.SysStatus;
 import org.dronemap.mavlink.message.VfrHud;
 import org.dronemap.mavlink.message.Wind;
 import org.dronemap.mavlink.message.WindCov;
