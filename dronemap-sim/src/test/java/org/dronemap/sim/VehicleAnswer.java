@@ -23,6 +23,7 @@ record VehicleAnswer(String kind, String text, long millis) {
             "GPS 1: detected",
             "PreArm: ",
             "ArduPilot Ready",
+            "INS: ",
             "RC7: ",
             "Field Elevation Set");
 
@@ -89,6 +90,6 @@ record VehicleAnswer(String kind, String text, long millis) {
                 return Optional.empty();
             }
         }
-        return Optional.of(new VehicleAnswer("text", text.replaceAll("used .*", "used"), at));
+        return Optional.of(new VehicleAnswer("text", text.replaceAll("[\\d.]+V used .*", "V used"), at));
     }
 }

@@ -136,10 +136,9 @@ final class SimulatedMessageHandler {
     }
 
     void reached(int index) {
-        boolean waypoint = index < autopilot.plan().size()
-                && autopilot.plan().item(index).command() == org.dronemap.sim.flight.SimulatedMissionItem.WAYPOINT;
-        if (waypoint && autopilot.missionStyle().firstItemIsHome()) {
-            sendText(TextSeverity.INFO, "Reached command #" + index);
+        String text = autopilot.reachedText(index);
+        if (!text.isEmpty()) {
+            sendText(TextSeverity.INFO, text);
         }
     }
 
