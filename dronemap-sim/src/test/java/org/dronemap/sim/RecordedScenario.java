@@ -20,6 +20,7 @@ final class RecordedScenario {
     private static final String PLANE_READY_SECONDS = "36.5";
     /** The first heartbeat of its first mode comes a few milliseconds before it says that it is ready. */
     private static final long FIRST_BEAT_MILLIS = 10;
+    private static final String NEVER_SECONDS = "600";
 
     private final List<RecordedLine> lines;
     private final VehicleTestBench bench;
@@ -34,10 +35,7 @@ final class RecordedScenario {
         this.begin = fromPowerUp ? millisOf(all, "ArduPilot Ready") - FIRST_BEAT_MILLIS : 0;
         this.lines = all.stream().filter(line -> line.millis() >= begin).toList();
         RecordedVehicle vehicle = RecordedVehicle.of(exchange);
-        this.bench = fromPowerUp
-                ? new VehicleTestBench(vehicle.optionsReadyAfter(
-                        vehicle == RecordedVehicle.PLANE ? PLANE_READY_SECONDS : REAL_READY_SECONDS))
-                : standingOrFlying(height, vehicle.options());
+        this.bench = bench(vehicle, exchange);
         prepare(exchange.preparation);
         if (height > 0) {
             flyToWhereItBegan(height);
@@ -54,6 +52,16 @@ final class RecordedScenario {
                 .mapToLong(RecordedLine::millis)
                 .findFirst()
                 .orElseThrow();
+    }
+
+    private static VehicleTestBench bench(RecordedVehicle vehicle, RecordedExchange exchange) {
+        return switch (exchange.preparation) {
+            case "never a position" -> VehicleTestBench.ready(vehicle.optionsReadyAfter(NEVER_SECONDS));
+            case "power-up" ->
+                new VehicleTestBench(vehicle.optionsReadyAfter(
+                        vehicle == RecordedVehicle.PLANE ? PLANE_READY_SECONDS : REAL_READY_SECONDS));
+            default -> standingOrFlying(exchange.height, vehicle.options());
+        };
     }
 
     private static VehicleTestBench standingOrFlying(double height, String[] options) {
@@ -88,6 +96,7 @@ final class RecordedScenario {
                 bench.run(12);
             }
             case "", "power-up" -> {}
+            case "never a position" -> bench.parameter("ARMING_CHECK", 0);
             default -> setParameters(preparation);
         }
     }

@@ -4,7 +4,8 @@ package org.dronemap.sim;
 enum RecordedVehicle {
     COPTER("arducopter"),
     PLANE("arduplane"),
-    QUADPLANE("quadplane");
+    QUADPLANE("quadplane"),
+    ROVER("ardurover");
 
     private static final String HOME = "-35.3632610,149.1652299,584.05";
 

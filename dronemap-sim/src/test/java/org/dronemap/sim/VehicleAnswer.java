@@ -28,6 +28,7 @@ record VehicleAnswer(String kind, String text, long millis) {
             "Throttle failsafe off",
             "PreArm: ",
             "ArduPilot Ready",
+            "INS: ",
             "RC7: ",
             "Field Elevation Set");
 
@@ -102,7 +103,7 @@ record VehicleAnswer(String kind, String text, long millis) {
                 return Optional.empty();
             }
         }
-        String told = MEASURED.matcher(text).matches() ? FIGURE.matcher(text).replaceAll("#") : text;
+        String told = MEASURED.matcher(text).matches() ? FIGURE.matcher(text).replaceAll("#") : text.replaceAll("[\\d.]+V used .*", "V used");
         return Optional.of(new VehicleAnswer("text", DISTANCE.matcher(told).replaceAll(" dist"), at));
     }
 }

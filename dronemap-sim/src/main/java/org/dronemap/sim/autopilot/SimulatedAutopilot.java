@@ -90,6 +90,11 @@ public interface SimulatedAutopilot {
 
     boolean inMissionMode();
 
+    /** What it says when the item is done; empty: nothing. */
+    default String reachedText(int index) {
+        return "";
+    }
+
     boolean setCurrentItem(int index);
 
     /** What it says when an item of its mission is reached; empty when it says nothing, or has said it itself. */

@@ -71,7 +71,7 @@ public final class MissionManoeuvre implements Manoeuvre {
             SimulatedMissionItem order = plan.item(index);
             if (order.isNavigation()) {
                 // What the autopilot stores and this vehicle cannot do is passed over, not flown to somewhere.
-                events.accept(new FlightEvent.Text(TextSeverity.INFO, "Skipping invalid cmd #" + order.command()));
+                events.accept(legs.passedOver(index, order));
                 index++;
                 continue;
             }
@@ -117,6 +117,7 @@ public final class MissionManoeuvre implements Manoeuvre {
         boolean there = flown.command() == SimulatedMissionItem.DELAY || flying.done();
         if (there && arrivedAt < 0) {
             arrivedAt = nowMillis;
+            events.accept(new FlightEvent.ItemArrived(index));
         }
         return arrivedAt >= 0 && nowMillis - arrivedAt >= legs.holdMillis(flown);
     }
