@@ -39,12 +39,12 @@ def arming_refused(link: VehicleLink) -> None:
 
 
 def modes_on_ground(link: VehicleLink) -> None:
-    """Each mode asked for on the ground, arming in each; an unknown one; AUTO without a mission; the older SET_MODE."""
+    """Modes on the ground, arming in each; an unknown one; AUTO without a mission; the older SET_MODE."""
     from_the_ground(link)
-    for name in ("MANUAL", "STABILIZE", "FBWA", "CRUISE", "CIRCLE", "LOITER", "GUIDED", "TAKEOFF", "RTL", "AUTO"):
+    for name in ("MANUAL", "STABILIZE", "FBWA", "CRUISE", "CIRCLE", "LOITER", "GUIDED", "RTL", "AUTO"):
         link.set_mode_and_acknowledge(name)
         link.pump_for(1)
-        if arm(link) == ACCEPTED and name != "TAKEOFF":
+        if arm(link) == ACCEPTED:
             link.pump_for(1)
         link.send_and_acknowledge(mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 0)
         link.pump_for(1)
@@ -295,6 +295,17 @@ def land_nowhere(link: VehicleLink) -> None:
     link.pump_for(1)
     arm(link)
     disarmed(link, 240)
+
+
+def rtl_lands(link: VehicleLink) -> None:
+    """RTL with RTL_AUTOLAND 1 and a landing in the mission: home, and then AUTO from DO_LAND_START to disarmed."""
+    home = from_the_ground(link)
+    upload_plane(link, circuit(), home)
+    take_off_by_mode(link)
+    reposition(link, offset(home, 300, 300), 90, flags=1)
+    link.pump_for(25)
+    link.send_and_acknowledge(mavlink.MAV_CMD_NAV_RETURN_TO_LAUNCH)
+    disarmed(link, 300)
 
 
 def ground_station_lost(link: VehicleLink) -> None:

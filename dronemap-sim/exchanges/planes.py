@@ -27,6 +27,7 @@ PLANE_EXCHANGES: tuple[Exchange, ...] = (
     Exchange("plane_go_around", "DO_GO_AROUND on the approach", plane.go_around, GO_AROUND_ONLY),
     Exchange("plane_land_start", "DO_LAND_START as a command", plane.land_start, GO_AROUND_ONLY),
     Exchange("plane_land_nowhere", "LAND with the place 0/0", plane.land_nowhere),
+    Exchange("plane_rtl_lands", "RTL that goes over to the mission's landing", plane.rtl_lands, {"RTL_AUTOLAND": 1}),
     Exchange(
         "plane_ground_station_lost",
         "heartbeats stop in GUIDED, told to return",
@@ -62,6 +63,7 @@ QUADPLANE_EXCHANGES: tuple[Exchange, ...] = (
     Exchange("quadplane_hover_modes", "QLOITER without a pilot, GUIDED, QLAND", quadplane.hover_modes),
     Exchange("quadplane_mission_flight", "VTOL take-off, waypoints, VTOL landing", quadplane.mission_flight),
     Exchange("quadplane_rtl", "RTL in a hover: it circles on its wings", quadplane.rtl),
+    Exchange("quadplane_rtl_lands", "RTL that goes over to QRTL at home", quadplane.rtl_lands, {"Q_RTL_MODE": 1}),
     Exchange(
         "quadplane_ground_station_lost",
         "heartbeats stop in a hover, told to return",

@@ -94,6 +94,15 @@ def rtl(link: VehicleLink) -> None:
     link.pump_for(50)
 
 
+def rtl_lands(link: VehicleLink) -> None:
+    """RTL with Q_RTL_MODE 1 from 400 m away on its wings: QRTL once it is home, down, disarmed."""
+    lift_to(link, 30)
+    reposition(link, offset(link.position, 400, 0), 50)
+    link.pump_for(35)
+    link.send_and_acknowledge(mavlink.MAV_CMD_NAV_RETURN_TO_LAUNCH)
+    disarmed(link, 240)
+
+
 def ground_station_lost(link: VehicleLink) -> None:
     """Heartbeats stop for 30 s in a hover in GUIDED (FS_GCS_ENABL 1, FS_LONG_ACTN 1)."""
     lift_to(link, 30)

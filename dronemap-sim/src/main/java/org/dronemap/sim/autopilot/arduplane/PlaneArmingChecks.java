@@ -42,7 +42,7 @@ final class PlaneArmingChecks extends ArmingChecks {
     public List<String> complaints(ArduPilotMode mode) {
         List<String> found = new ArrayList<>(super.complaints(mode));
         if (parameters.value("ARMING_CHECK") != 0
-                && flight.landingStart() >= 0
+                && flight.landingSequence().exists()
                 && parameters.value("RTL_AUTOLAND") == 0) {
             found.add("DO_LAND_START set and RTL_AUTOLAND disabled");
         }

@@ -109,18 +109,11 @@ final class PlaneCommands extends ArduPilotCommands {
     }
 
     private boolean startsLanding() {
-        int start = flight.landingStart();
-        if (start < 0) {
-            plane.sendText(TextSeverity.WARNING, "Unable to start landing sequence");
-            return false;
+        boolean starts = flight.landingSequence().start(flight.mode() == PlaneMode.AUTO);
+        if (starts) {
+            plane.change(PlaneMode.AUTO);
         }
-        flight.mission().setCurrentItem(start);
-        if (flight.mode() != PlaneMode.AUTO) {
-            flight.sayItemsFrom(start);
-        }
-        plane.sendText(TextSeverity.INFO, "Landing sequence start");
-        plane.change(PlaneMode.AUTO);
-        return true;
+        return starts;
     }
 
     private boolean goesAround(double climbTo) {

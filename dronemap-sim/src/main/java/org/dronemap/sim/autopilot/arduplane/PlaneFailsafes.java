@@ -97,14 +97,13 @@ final class PlaneFailsafes extends ArduPilotFailsafes {
 
     /** By the landing sequence of its mission; without one it comes back. */
     private void landIfItCan() {
-        int start = plane.flight().landingStart();
-        if (start < 0 || isLanding()) {
+        boolean flown = plane.flight().mode() == PlaneMode.AUTO;
+        if (!isLanding() && plane.flight().landingSequence().exists()) {
+            plane.flight().landingSequence().start(flown);
+            plane.change(PlaneMode.AUTO);
+        } else {
             comeBack();
-            return;
         }
-        plane.flight().mission().setCurrentItem(start);
-        plane.sendText(TextSeverity.INFO, "Landing sequence start");
-        plane.change(PlaneMode.AUTO);
     }
 
     private void comeBack() {

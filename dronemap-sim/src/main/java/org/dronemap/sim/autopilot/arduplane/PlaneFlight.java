@@ -21,6 +21,10 @@ final class PlaneFlight implements ArduPilotFlight {
     private static final int STICK_LOW = 1100;
     private static final int STICK_MID = 1500;
     private static final int NONE = -1;
+    private static final int QRTL_AT_HOME = 1;
+    private static final int LAND_AFTER_RETURN = 1;
+    private static final int LAND_AT_ONCE = 2;
+    private static final double NEAR_HEIGHT_METERS = 10;
 
     private final SimulatedCraft craft;
     private final SimulatedMission plan;
@@ -28,6 +32,7 @@ final class PlaneFlight implements ArduPilotFlight {
     private final Consumer<FlightEvent> events;
     private final Consumer<PlaneMode> changer;
     private final ArduPilotMission mission;
+    private final LandingSequence landingSequence;
     private final FlyingEstimate estimate = new FlyingEstimate();
     private final CruiseSpeeds cruise = new CruiseSpeeds(0, 0, 0, 0);
     private PlaneMode mode;
@@ -53,10 +58,11 @@ final class PlaneFlight implements ArduPilotFlight {
         this.events = events;
         this.changer = changer;
         this.mission = new ArduPilotMission(craft, plan, this::handle);
-        this.manoeuvre = new PilotFlight(false);
+        this.landingSequence = new LandingSequence(craft, plan, mission, events);
         this.lift = lifts ? new PlaneLift(craft, parameters, cruise, events) : null;
         // As the switch of the remote control stood with each of the two that were recorded.
         this.mode = lifts ? PlaneMode.FLY_BY_WIRE_A : PlaneMode.MANUAL;
+        this.manoeuvre = byPilot(mode);
         readSpeeds();
     }
 
@@ -74,6 +80,9 @@ final class PlaneFlight implements ArduPilotFlight {
         estimate.check(craft, lift != null && lift.lifting(), nowMillis);
         restartLanding();
         MotionSetpoint setpoint = manoeuvre.fly(craft, nowMillis);
+        if (mode == PlaneMode.RTL && craft.armed() && manoeuvre instanceof Circle circle) {
+            landAfterReturn(circle);
+        }
         reportPlace();
         tellReached();
         if (next != null) {
@@ -155,11 +164,27 @@ final class PlaneFlight implements ArduPilotFlight {
             case RTL -> new Circle(returnPlace(), returnRadius(), cruise);
             case GUIDED -> guide(craft.body().position(), 0);
             case LOITER, CIRCLE -> circle(craft.body().position(), 0);
-            default ->
-                lift != null && chosen.lifts()
-                        ? lift.forMode(chosen, stick < STICK_LOW)
-                        : new PilotFlight(chosen.pilotHoldsHeight());
+            default -> lift != null && chosen.lifts() ? lift.forMode(chosen, stick < STICK_LOW) : byPilot(chosen);
         };
+    }
+
+    private PilotFlight byPilot(PlaneMode chosen) {
+        return new PilotFlight(
+                chosen.pilotHoldsHeight(), () -> stick < STICK_LOW, parameters.value("AIRSPEED_MIN"), cruise);
+    }
+
+    /** What its owner has set for its end at home; without that it circles there. */
+    private void landAfterReturn(Circle circle) {
+        if (lift != null && parameters.value("Q_RTL_MODE") == QRTL_AT_HOME && circle.reached()) {
+            next = PlaneMode.QRTL;
+            return;
+        }
+        int autoland = (int) parameters.value("RTL_AUTOLAND");
+        boolean home =
+                circle.reached() && Math.abs(circle.centre().up() - craft.body().up()) < NEAR_HEIGHT_METERS;
+        if (autoland == LAND_AT_ONCE || (autoland == LAND_AFTER_RETURN && home)) {
+            next = landingSequence.exists() && landingSequence.start(false) ? PlaneMode.AUTO : null;
+        }
     }
 
     private Manoeuvre startMission() {
@@ -181,50 +206,15 @@ final class PlaneFlight implements ArduPilotFlight {
         mission.leave();
         legs = null;
         if (landing) {
-            beginLandingAnew(index);
+            landingSequence.beginAnew(index);
         }
     }
 
     private void restartLanding() {
         PlaneLanding landing = landing();
         if (landing != null && landing.climbedAway()) {
-            beginLandingAnew(mission.currentItem());
+            landingSequence.beginAnew(mission.currentItem());
         }
-    }
-
-    private void beginLandingAnew(int index) {
-        int start = landingStart();
-        if (start != NONE) {
-            say(TextSeverity.NOTICE, "Restarted landing via DO_LAND_START: " + start);
-            mission.setCurrentItem(start);
-            return;
-        }
-        for (int before = index - 1; before > 0; before--) {
-            SimulatedMissionItem item = plan.item(before);
-            if (item.isNavigation() && item.hasPlace()) {
-                say(TextSeverity.NOTICE, "Restarted landing sequence at waypoint " + before);
-                mission.setCurrentItem(before);
-                return;
-            }
-        }
-        say(TextSeverity.WARNING, "Unable to restart landing sequence");
-    }
-
-    /** The number of the DO_LAND_START whose approach is nearest; -1 when the mission has none. */
-    int landingStart() {
-        int best = NONE;
-        double nearest = Double.POSITIVE_INFINITY;
-        for (int index = 1; index < plan.size(); index++) {
-            SimulatedMissionItem item = plan.item(index);
-            if (item.command() == SimulatedMissionItem.LAND_START) {
-                double away = item.hasPlace() ? craft.body().position().distanceTo(craft.targetOf(item)) : 0;
-                if (away < nearest) {
-                    nearest = away;
-                    best = index;
-                }
-            }
-        }
-        return best;
     }
 
     private NeuPosition returnPlace() {
@@ -271,6 +261,10 @@ final class PlaneFlight implements ArduPilotFlight {
         }
     }
 
+    LandingSequence landingSequence() {
+        return landingSequence;
+    }
+
     /** The landing that is flown; null when none is. */
     @Nullable
     PlaneLanding landing() {
@@ -292,16 +286,6 @@ final class PlaneFlight implements ArduPilotFlight {
     boolean landed() {
         PlaneLanding landing = landing();
         return landing != null && landing.flared() && !craft.armed();
-    }
-
-    /** Says the items from that one to the first that is flown, as when a mission that rests is set to them. */
-    void sayItemsFrom(int index) {
-        for (int item = index; item < plan.size(); item++) {
-            say(TextSeverity.INFO, "Mission: " + item + " " + plan.item(item).typeName());
-            if (plan.item(item).isNavigation()) {
-                return;
-            }
-        }
     }
 
     /** Its lift motors; null when it has none. */
@@ -339,24 +323,5 @@ final class PlaneFlight implements ArduPilotFlight {
 
     private void say(TextSeverity severity, String text) {
         events.accept(new FlightEvent.Text(severity, text));
-    }
-
-    /** What it does in a mode of the pilot, of whom the throttle stick alone is known. */
-    private final class PilotFlight implements Manoeuvre {
-        private final boolean holdsHeight;
-
-        PilotFlight(boolean holdsHeight) {
-            this.holdsHeight = holdsHeight;
-        }
-
-        @Override
-        public MotionSetpoint fly(SimulatedCraft flown, long nowMillis) {
-            boolean low = stick < STICK_LOW;
-            if (low && !holdsHeight) {
-                return new MotionSetpoint.Glide();
-            }
-            double speed = low ? parameters.value("AIRSPEED_MIN") : cruise.horizontal();
-            return new MotionSetpoint.Wing(0, speed, 0, false);
-        }
     }
 }

@@ -35,6 +35,7 @@ final class PlaneParameters {
                 .add("Q_ENABLE", INT8, lifts ? 1 : 0);
         if (lifts) {
             table.add("Q_RTL_ALT", INT16, 15)
+                    .add("Q_RTL_MODE", INT8, 0)
                     .add("Q_LAND_FINAL_SPD", REAL32, 0.5)
                     .add("Q_LAND_FINAL_ALT", REAL32, 6);
         }
