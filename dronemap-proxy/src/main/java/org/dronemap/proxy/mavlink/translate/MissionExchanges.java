@@ -24,6 +24,9 @@ import org.dronemap.proxy.mavlink.procedure.StepProgressObserver;
  * one command.
  */
 final class MissionExchanges {
+    private static final String ROUNDED =
+            "This vehicle takes positions of missions in an old form only, exact to a metre or so.";
+
     private final CommandContext cockpit;
     private final int itemsBefore;
     private boolean itemsInAnyOrder;
@@ -66,20 +69,26 @@ final class MissionExchanges {
         if (itemsInAnyOrder) {
             readBack.inAnyOrder();
         }
+        MissionUpload upload = MissionUpload.part(
+                cockpit.target(),
+                MavMissionType.MISSION,
+                wire,
+                span,
+                new StepProgressObserver(cockpit.observer(), 0, steps));
         return new ExchangeSequence(List.of(
-                ExchangeSequence.Step.of(() -> MissionUpload.part(
-                        cockpit.target(),
-                        MavMissionType.MISSION,
-                        wire,
-                        span,
-                        new StepProgressObserver(cockpit.observer(), 0, steps))),
+                ExchangeSequence.Step.of(() -> upload),
                 ExchangeSequence.Step.of(() -> readBack),
-                ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> compare(mission, readBack)))));
+                ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> compare(mission, upload, readBack)))));
     }
 
-    private Outcome compare(List<MissionItem> mission, MissionDownload readBack) {
+    private Outcome compare(List<MissionItem> mission, MissionUpload upload, MissionDownload readBack) {
         List<MissionItem> found = MissionCodec.fromWire(readBack.items(), itemsBefore);
-        return MissionComparison.difference(mission, found)
+        List<MissionItem> wanted = mission;
+        if (upload.isRounded()) {
+            cockpit.warning().accept(ROUNDED);
+            wanted = MissionCodec.fromWire(upload.taken(), itemsBefore);
+        }
+        return MissionComparison.difference(wanted, found)
                 .<Outcome>map(difference ->
                         new Outcome.Failed("The vehicle holds another mission than the one sent: " + difference + "."))
                 .orElseGet(() -> {

@@ -12,9 +12,11 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
+import org.dronemap.core.mission.RallyPoint;
 import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.mavlink.message.MissionWritePartialList;
+import org.dronemap.proxy.mavlink.procedure.FloatMissionVehicle;
 import org.dronemap.proxy.mavlink.procedure.MissionVehicle;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -225,6 +227,35 @@ class MissionExchangesTest {
         assertThat(bench.perform(new Command.UploadMission(new Mission(items)), 3_000))
                 .isEqualTo(DONE);
         assertThat(MissionCodec.fromWire(vehicle.held, seed % 2 == 0 ? 1 : 0)).isEqualTo(items);
+    }
+
+    /** Where a float has no digit left, that is told and not taken for another mission. */
+    @Test
+    void bringsAMissionToAVehicleThatKnowsFloatsAloneAndSaysHowExact() {
+        FloatMissionVehicle old = new FloatMissionVehicle();
+        AutopilotTestBench bench = new AutopilotTestBench(AutopilotTestBench.ARDUCOPTER);
+        bench.wire.peer(old::take);
+        bench.wire.chatter(true);
+
+        assertThat(bench.perform(mission(-1, 20))).isEqualTo(DONE);
+
+        assertThat(old.held).hasSize(11);
+        assertThat(bench.warnings)
+                .containsExactly(
+                        "This vehicle takes positions of missions in an old form only, exact to a metre or so.");
+    }
+
+    @Test
+    void bringsRallyPointsToAVehicleThatKnowsFloatsAlone() {
+        FloatMissionVehicle old = new FloatMissionVehicle();
+        AutopilotTestBench bench = new AutopilotTestBench(AutopilotTestBench.ARDUCOPTER);
+        bench.wire.peer(old::take);
+        bench.wire.chatter(true);
+
+        assertThat(bench.perform(
+                        new Command.SetRallyPoints(List.of(new RallyPoint(new Geodetic(47.1234567, 8.7654321), 30)))))
+                .isEqualTo(DONE);
+        assertThat(old.held).hasSize(1);
     }
 
     @Test
