@@ -202,6 +202,11 @@ public final class MissionUpload implements Exchange {
         lastSentNanos = nowNanos;
     }
 
+    /** Whether the vehicle has asked for an item, and may have changed something. */
+    public boolean isBegun() {
+        return highest >= 0;
+    }
+
     /** Whether the vehicle took items in floating point. */
     public boolean isRounded() {
         return form.isRounded();

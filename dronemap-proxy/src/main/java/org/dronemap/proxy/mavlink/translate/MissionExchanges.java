@@ -1,6 +1,7 @@
 package org.dronemap.proxy.mavlink.translate;
 
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.dronemap.core.command.Outcome;
@@ -18,6 +19,7 @@ import org.dronemap.proxy.mavlink.procedure.MissionDownload;
 import org.dronemap.proxy.mavlink.procedure.MissionUpload;
 import org.dronemap.proxy.mavlink.procedure.MissionUpload.Span;
 import org.dronemap.proxy.mavlink.procedure.StepProgressObserver;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Makes the exchanges that upload a mission to a vehicle, whole or only where it differs, verify or clear it. Made for
@@ -30,6 +32,7 @@ final class MissionExchanges {
     private final CommandContext cockpit;
     private final int itemsBefore;
     private boolean itemsInAnyOrder;
+    private @Nullable MissionUpload last;
 
     /** {@code itemsBefore}: how many items stand on the wire before the mission's own. */
     MissionExchanges(CommandContext cockpit, int itemsBefore) {
@@ -43,10 +46,21 @@ final class MissionExchanges {
         return this;
     }
 
-    /** Writes, reads back, compares; once more when something else was found. */
+    /** Writes, reads back, compares; once more when something else was found, and then takes that off the vehicle. */
     Exchange upload(List<MissionItem> mission, List<MissionItemInt> wire) {
+        MissionWithdrawal withdrawal = new MissionWithdrawal(cockpit, itemsBefore);
         Supplier<Exchange> whole = () -> verified(mission, wire, new Span(0, wire.size() - 1));
-        return new FallbackExchange(whole.get(), Outcome.Failed.class::isInstance, whole);
+        Exchange written = new FallbackExchange(whole.get(), Outcome.Failed.class::isInstance, whole);
+        return new FallbackExchange(
+                written,
+                outcome -> (outcome instanceof Outcome.Failed || outcome instanceof Outcome.Refused) && isBegun(),
+                () -> withdrawal.after(Objects.requireNonNull(written.outcome()), mission));
+    }
+
+    /** The vehicle has begun to take what was written last. */
+    private boolean isBegun() {
+        MissionUpload upload = last;
+        return upload != null && upload.isBegun();
     }
 
     /** The same, but writes only what differs when that is little; whole where the vehicle does not take that. */
@@ -75,6 +89,7 @@ final class MissionExchanges {
                 wire,
                 span,
                 new StepProgressObserver(cockpit.observer(), 0, steps));
+        last = upload;
         return new ExchangeSequence(List.of(
                 ExchangeSequence.Step.of(() -> upload),
                 ExchangeSequence.Step.of(() -> readBack),
