@@ -160,7 +160,7 @@ public final class MissionDownload implements Exchange {
         int component = target.componentId();
         if (count < 0) {
             target.send(new MissionRequestList(system, component, kind.number()));
-        } else if (!integersReceived && tries >= TRIES_BEFORE_FLOATS && tries % 2 == 1) {
+        } else if (!integersReceived && (floatsTaken ? tries % 2 == 0 : isTimeForFloats())) {
             // Old vehicles know only the request for an item with floating-point position, good to half a metre.
             target.send(new MissionRequest(system, component, next(), kind.number()));
         } else {
@@ -169,6 +169,10 @@ public final class MissionDownload implements Exchange {
         patience.asked(nowNanos);
         tries++;
         lastSentNanos = nowNanos;
+    }
+
+    private boolean isTimeForFloats() {
+        return tries >= TRIES_BEFORE_FLOATS && tries % 2 == 1;
     }
 
     private void askAhead(long nowNanos) {

@@ -15,7 +15,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Uploads a mission, fence or rally points, whole or in part, to a vehicle, which requests the items one by one. Items
- * given are the wire's, numbered from 0. A transfer that stalls is begun again; when only the last acknowledgement is
+ * given are the wire's, numbered from 0. Who asks in the old form and takes no integer items gets floating-point ones,
+ * which are less exact. A transfer that stalls is begun again; when only the last acknowledgement is
  * missing, a read-back must tell.
  */
 public final class MissionUpload implements Exchange {
@@ -38,12 +39,14 @@ public final class MissionUpload implements Exchange {
     /** The vehicle has asked for the last item, so that all before it have arrived. */
     private boolean lastAsked;
 
+    private final MissionItemForm form = new MissionItemForm();
     private int tries;
     /** How often the last item went out and the vehicle was heard after that. */
     private int lastWords;
 
     private boolean lastWordOpen;
 
+    private int begunAgain;
     private int rounds = 1;
     private long lastSentNanos;
     private int refusal;
@@ -106,10 +109,12 @@ public final class MissionUpload implements Exchange {
         switch (frame.messageId()) {
             case MissionRequestInt.ID -> {
                 MissionRequestInt request = MissionRequestInt.decode(frame);
+                form.asked(false);
                 requested(request.seq(), request.missionType(), request.targetSystem(), nowNanos);
             }
             case MissionRequest.ID -> {
                 MissionRequest request = MissionRequest.decode(frame);
+                form.asked(true);
                 requested(request.seq(), request.missionType(), request.targetSystem(), nowNanos);
             }
             case MissionAck.ID -> acknowledged(MissionAck.decode(frame), nowNanos);
@@ -152,18 +157,30 @@ public final class MissionUpload implements Exchange {
     }
 
     private void again(long nowNanos) {
-        if (lastAsked && lastWords >= TRIES_FOR_THE_LAST_WORD && patience.isAudible(nowNanos)) {
+        boolean silentAtTheEnd = lastAsked && lastWords >= TRIES_FOR_THE_LAST_WORD && !form.isUntried();
+        if (silentAtTheEnd && patience.isAudible(nowNanos)) {
             outcome = new Outcome.Succeeded();
             return;
         }
-        outcome = patience.end(nowNanos);
+        outcome = takesNoForm(nowNanos) ? new Outcome.Failed(noForm()) : patience.end(nowNanos);
         if (outcome != null) {
             return;
         }
         if (tries >= TRIES_BEFORE_BEGINNING_AGAIN) {
+            begunAgain++;
             beginAgain();
         }
         send(nowNanos);
+    }
+
+    /** It asks for items and takes the first one in no form, however often both went out. */
+    private boolean takesNoForm(long nowNanos) {
+        return form.isOpen() && begunAgain >= ROUNDS && patience.isAudible(nowNanos);
+    }
+
+    private static String noForm() {
+        return "The vehicle asks for the first item again and again, and takes it neither as MISSION_ITEM_INT nor as"
+                + " MISSION_ITEM; so it got nothing of this.";
     }
 
     private void beginAgain() {
@@ -177,12 +194,31 @@ public final class MissionUpload implements Exchange {
         if (asked < 0) {
             target.send(announcement());
         } else {
-            target.send(items.get(asked));
+            target.send(form.of(items.get(asked), tries));
         }
         patience.asked(nowNanos);
         tries++;
         lastWordOpen = lastAsked;
         lastSentNanos = nowNanos;
+    }
+
+    /** Whether the vehicle has asked for an item, and may have changed something. */
+    public boolean isBegun() {
+        return highest >= 0;
+    }
+
+    /** Whether the vehicle took items in floating point. */
+    public boolean isRounded() {
+        return form.isRounded();
+    }
+
+    /** The items as the vehicle was able to take them. */
+    public List<MissionItemInt> taken() {
+        return form.isRounded()
+                ? items.stream()
+                        .map(item -> LegacyMissionItems.exact(LegacyMissionItems.older(item)))
+                        .toList()
+                : items;
     }
 
     private Message announcement() {
@@ -202,6 +238,9 @@ public final class MissionUpload implements Exchange {
         if (seq < asked && seq != span.first()) {
             // Vehicles ask in order: this question was overtaken by a later one, which counts.
             return;
+        }
+        if (asked >= 0 && seq == asked + 1) {
+            form.taken();
         }
         if (seq != asked) {
             tries = 0;
@@ -223,6 +262,7 @@ public final class MissionUpload implements Exchange {
         }
         if (ack.type() == MavMissionResult.ACCEPTED) {
             if (lastAsked) {
+                form.taken();
                 observer.progress(span.size(), span.size());
                 outcome = new Outcome.Succeeded();
             }

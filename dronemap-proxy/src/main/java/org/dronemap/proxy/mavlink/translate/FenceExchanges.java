@@ -99,15 +99,14 @@ final class FenceExchanges {
         int steps = 2 * items.size();
         MissionDownload readBack = MissionDownload.whole(
                 cockpit.target(), kind, new StepProgressObserver(cockpit.observer(), items.size(), steps));
+        MissionUpload upload = new MissionUpload(
+                cockpit.target(), kind, items, new StepProgressObserver(cockpit.observer(), 0, steps));
         return new ExchangeSequence(List.of(
-                ExchangeSequence.Step.of(() -> items.isEmpty()
-                        ? new MissionClear(cockpit.target(), kind)
-                        : new MissionUpload(
-                                cockpit.target(), kind, items, new StepProgressObserver(cockpit.observer(), 0, steps))),
+                ExchangeSequence.Step.of(() -> items.isEmpty() ? new MissionClear(cockpit.target(), kind) : upload),
                 ExchangeSequence.Step.of(() -> readBack),
                 ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> {
                     Outcome read = read(found.apply(readBack.items()));
-                    Outcome compared = compare(items, readBack.items());
+                    Outcome compared = compare(upload.taken(), readBack.items());
                     return compared instanceof Outcome.Succeeded ? read : compared;
                 }))));
     }

@@ -1,6 +1,7 @@
 package org.dronemap.proxy.mavlink.translate;
 
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.dronemap.core.command.Outcome;
@@ -18,15 +19,20 @@ import org.dronemap.proxy.mavlink.procedure.MissionDownload;
 import org.dronemap.proxy.mavlink.procedure.MissionUpload;
 import org.dronemap.proxy.mavlink.procedure.MissionUpload.Span;
 import org.dronemap.proxy.mavlink.procedure.StepProgressObserver;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Makes the exchanges that upload a mission to a vehicle, whole or only where it differs, verify or clear it. Made for
  * one command.
  */
 final class MissionExchanges {
+    private static final String ROUNDED =
+            "This vehicle takes positions of missions in an old form only, exact to a metre or so.";
+
     private final CommandContext cockpit;
     private final int itemsBefore;
     private boolean itemsInAnyOrder;
+    private @Nullable MissionUpload last;
 
     /** {@code itemsBefore}: how many items stand on the wire before the mission's own. */
     MissionExchanges(CommandContext cockpit, int itemsBefore) {
@@ -40,10 +46,21 @@ final class MissionExchanges {
         return this;
     }
 
-    /** Writes, reads back, compares; once more when something else was found. */
+    /** Writes, reads back, compares; once more when something else was found, and then takes that off the vehicle. */
     Exchange upload(List<MissionItem> mission, List<MissionItemInt> wire) {
+        MissionWithdrawal withdrawal = new MissionWithdrawal(cockpit, itemsBefore);
         Supplier<Exchange> whole = () -> verified(mission, wire, new Span(0, wire.size() - 1));
-        return new FallbackExchange(whole.get(), Outcome.Failed.class::isInstance, whole);
+        Exchange written = new FallbackExchange(whole.get(), Outcome.Failed.class::isInstance, whole);
+        return new FallbackExchange(
+                written,
+                outcome -> (outcome instanceof Outcome.Failed || outcome instanceof Outcome.Refused) && isBegun(),
+                () -> withdrawal.after(Objects.requireNonNull(written.outcome()), mission));
+    }
+
+    /** The vehicle has begun to take what was written last. */
+    private boolean isBegun() {
+        MissionUpload upload = last;
+        return upload != null && upload.isBegun();
     }
 
     /** The same, but writes only what differs when that is little; whole where the vehicle does not take that. */
@@ -66,20 +83,27 @@ final class MissionExchanges {
         if (itemsInAnyOrder) {
             readBack.inAnyOrder();
         }
+        MissionUpload upload = MissionUpload.part(
+                cockpit.target(),
+                MavMissionType.MISSION,
+                wire,
+                span,
+                new StepProgressObserver(cockpit.observer(), 0, steps));
+        last = upload;
         return new ExchangeSequence(List.of(
-                ExchangeSequence.Step.of(() -> MissionUpload.part(
-                        cockpit.target(),
-                        MavMissionType.MISSION,
-                        wire,
-                        span,
-                        new StepProgressObserver(cockpit.observer(), 0, steps))),
+                ExchangeSequence.Step.of(() -> upload),
                 ExchangeSequence.Step.of(() -> readBack),
-                ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> compare(mission, readBack)))));
+                ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> compare(mission, upload, readBack)))));
     }
 
-    private Outcome compare(List<MissionItem> mission, MissionDownload readBack) {
+    private Outcome compare(List<MissionItem> mission, MissionUpload upload, MissionDownload readBack) {
         List<MissionItem> found = MissionCodec.fromWire(readBack.items(), itemsBefore);
-        return MissionComparison.difference(mission, found)
+        List<MissionItem> wanted = mission;
+        if (upload.isRounded()) {
+            cockpit.warning().accept(ROUNDED);
+            wanted = MissionCodec.fromWire(upload.taken(), itemsBefore);
+        }
+        return MissionComparison.difference(wanted, found)
                 .<Outcome>map(difference ->
                         new Outcome.Failed("The vehicle holds another mission than the one sent: " + difference + "."))
                 .orElseGet(() -> {

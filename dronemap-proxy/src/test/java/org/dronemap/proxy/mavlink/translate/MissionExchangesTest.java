@@ -8,13 +8,17 @@ import java.util.Random;
 import java.util.stream.IntStream;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
+import org.dronemap.core.mission.RallyPoint;
+import org.dronemap.mavlink.message.MissionAck;
 import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.mavlink.message.MissionWritePartialList;
+import org.dronemap.proxy.mavlink.procedure.FloatMissionVehicle;
 import org.dronemap.proxy.mavlink.procedure.MissionVehicle;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -77,10 +81,58 @@ class MissionExchangesTest {
         Outcome outcome = bench.perform(mission(-1, 20));
 
         assertThat(outcome).isInstanceOf(Outcome.Failed.class);
-        assertThat(outcome).asString().contains("another mission than the one sent");
+        assertThat(outcome)
+                .asString()
+                .contains("The vehicle holds another mission than the one sent: item 5 differs. What it had taken was"
+                        + " cleared; it holds no mission now.");
+        assertThat(vehicle.held).isEmpty();
         assertThat(bench.wire.sent(MissionCount.class))
                 .as("it is tried once more")
                 .hasSize(2);
+    }
+
+    /** ArduPilot writes in place, so that it holds a part of what it refuses in the end. */
+    @Test
+    void clearsWhatAVehicleTookBeforeItRefusedTheRest() {
+        AutopilotTestBench bench = bench(true);
+        vehicle.refusesParts = true;
+        bench.wire.peer((wire, message) -> {
+            if (message instanceof MissionItemInt item && item.seq() == 4) {
+                vehicle.held.set(3, higher(vehicle.held.get(3)));
+                wire.answer(new MissionAck(255, 190, 9, 0));
+            } else {
+                vehicle.take(wire, message);
+            }
+        });
+
+        Outcome outcome = bench.perform(mission(3, 25));
+
+        assertThat(outcome).isInstanceOfSatisfying(Outcome.Refused.class, refused -> {
+            assertThat(refused.code()).isEqualTo(OutcomeCode.MISSION_VALUE_NOT_TAKEN);
+            assertThat(refused.reason()).endsWith("What it had taken was cleared; it holds no mission now.");
+        });
+        assertThat(vehicle.held).isEmpty();
+    }
+
+    @Test
+    void leavesAVehicleThatRefusesWithTheMissionThatItHad() {
+        AutopilotTestBench bench = bench(false);
+        List<MissionItemInt> before = vehicle.held;
+        bench.wire.peer((wire, message) -> {
+            if (message instanceof MissionItemInt item && item.seq() == 4) {
+                wire.answer(new MissionAck(255, 190, 9, 0));
+            } else {
+                vehicle.take(wire, message);
+            }
+        });
+
+        Outcome outcome = bench.perform(mission(3, 25));
+
+        assertThat(outcome)
+                .isInstanceOfSatisfying(
+                        Outcome.Refused.class,
+                        refused -> assertThat(refused.reason()).doesNotContain("cleared"));
+        assertThat(vehicle.held).isEqualTo(before).hasSize(10);
     }
 
     private static MissionItemInt higher(MissionItemInt item) {
@@ -225,6 +277,35 @@ class MissionExchangesTest {
         assertThat(bench.perform(new Command.UploadMission(new Mission(items)), 3_000))
                 .isEqualTo(DONE);
         assertThat(MissionCodec.fromWire(vehicle.held, seed % 2 == 0 ? 1 : 0)).isEqualTo(items);
+    }
+
+    /** Where a float has no digit left, that is told and not taken for another mission. */
+    @Test
+    void bringsAMissionToAVehicleThatKnowsFloatsAloneAndSaysHowExact() {
+        FloatMissionVehicle old = new FloatMissionVehicle();
+        AutopilotTestBench bench = new AutopilotTestBench(AutopilotTestBench.ARDUCOPTER);
+        bench.wire.peer(old::take);
+        bench.wire.chatter(true);
+
+        assertThat(bench.perform(mission(-1, 20))).isEqualTo(DONE);
+
+        assertThat(old.held).hasSize(11);
+        assertThat(bench.warnings)
+                .containsExactly(
+                        "This vehicle takes positions of missions in an old form only, exact to a metre or so.");
+    }
+
+    @Test
+    void bringsRallyPointsToAVehicleThatKnowsFloatsAlone() {
+        FloatMissionVehicle old = new FloatMissionVehicle();
+        AutopilotTestBench bench = new AutopilotTestBench(AutopilotTestBench.ARDUCOPTER);
+        bench.wire.peer(old::take);
+        bench.wire.chatter(true);
+
+        assertThat(bench.perform(
+                        new Command.SetRallyPoints(List.of(new RallyPoint(new Geodetic(47.1234567, 8.7654321), 30)))))
+                .isEqualTo(DONE);
+        assertThat(old.held).hasSize(1);
     }
 
     @Test
