@@ -314,7 +314,7 @@ final class Px4Adapter implements AutopilotAdapter {
         };
     }
 
-    private static Exchange start(CommandContext cockpit, Command.StartMission start) {
+    private Exchange start(CommandContext cockpit, Command.StartMission start) {
         boolean goOn = start.onCloudLoss() == MissionCloudLossPolicy.CONTINUE;
         List<ExchangeSequence.Step> steps = new ArrayList<>();
         steps.add(BasicExchanges.setParameterStep(
@@ -323,9 +323,13 @@ final class Px4Adapter implements AutopilotAdapter {
                         "COM_DLL_EXCEPT",
                         old -> goOn ? old | COM_DLL_EXCEPT_MISSION : old & ~COM_DLL_EXCEPT_MISSION,
                         true)));
-        if (start.anew() && cockpit.status().airborne()) {
+        VehicleStatus status = cockpit.status();
+        boolean fromGround = !status.airborne() && !kind.neverFlies();
+        boolean resumes = status.resumesMission(0);
+        boolean elsewhere = start.anew() || status.currentSeq() > 0;
+        if (!fromGround && elsewhere && (start.anew() || !resumes)) {
             steps.add(ExchangeSequence.Step.of(() -> new SetCurrentItemExchange(cockpit.target(), 0, seq -> seq == 0)));
-        } else if (!cockpit.status().airborne() || cockpit.status().missionFinished()) {
+        } else if (!resumes) {
             steps.add(new ExchangeSequence.Step(
                     () -> new SetCurrentItemExchange(cockpit.target(), 0, seq -> seq == 0), any -> true));
         }

@@ -161,7 +161,7 @@ public final class TelemetryTranslator {
     }
 
     private void missionCurrent(MissionCurrent message) {
-        status.current(message.seq());
+        status.current(message.seq(), message.missionState());
         int index = message.seq() - autopilot.itemsBeforeMission();
         Integer heading = index < 0 || status.hasNoMission() ? null : (Integer) index;
         out.accept(new DroneEvent.MissionCurrentReported(heading, phase(message.missionState())));
