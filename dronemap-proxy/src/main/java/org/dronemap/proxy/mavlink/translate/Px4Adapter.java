@@ -214,7 +214,7 @@ final class Px4Adapter implements AutopilotAdapter {
                 CloudLossExchanges.set(
                         cockpit, (SetCloudLossAction) command, policy(((SetCloudLossAction) command).afterSeconds()));
             case PUT_BACK -> CloudLossExchanges.putBack(cockpit, (RestoreParameters) command);
-            case ARM -> BasicExchanges.arm(cockpit);
+            case ARM -> BasicExchanges.arm(cockpit, capabilities());
             case DISARM -> BasicExchanges.disarm(cockpit, ((Command.Disarm) command).force());
             case TAKE_PICTURE -> BasicExchanges.picture(cockpit);
             case SET_HOME -> HomeExchanges.set(cockpit, (Command.SetHome) command);

@@ -63,6 +63,12 @@ public final class VehicleStatus {
         return ++pictures;
     }
 
+    /** Its name; null before it was told. */
+    @Nullable
+    String mode() {
+        return mode;
+    }
+
     public boolean inMode(String name) {
         return name.equals(mode);
     }
