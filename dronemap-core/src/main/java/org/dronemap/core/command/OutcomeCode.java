@@ -13,7 +13,7 @@ import org.dronemap.core.stored.StoredNames;
         names = "drone-not-of-key role-may-not-command key-may-not-command command-not-granted "
                 + "not-disarmed-for-planner drone-is-a-recording contact-lost capabilities-unknown "
                 + "capability-missing already-armed not-armed drone-airborne not-airborne mission-missing "
-                + "mode-unknown mode-not-steerable heading-unknown home-unknown place-too-far mission-not-for-vehicle speed-not-possible zone-forbids "
+                + "mode-unknown mode-does-not-arm position-missing fence-forbids mode-not-steerable heading-unknown home-unknown place-too-far mission-not-for-vehicle speed-not-possible zone-forbids "
                 + "zone-not-checkable key-bounds-forbid key-bounds-not-checkable control-held control-ended command-under-way transfer-under-way link-missing "
                 + "server-overloaded not-sent not-written-down drone-removed server-fault autopilot-unknown not-settable command-refused "
                 + "vehicle-busy vehicle-denied vehicle-does-not-know vehicle-failed vehicle-cancelled "
@@ -45,6 +45,17 @@ public enum OutcomeCode {
     MISSION_MISSING("There is no mission on board.", "Upload a mission first."),
     MODE_UNKNOWN(
             "The vehicle has no mode of this name.", "This vehicle has no mode SPIRAL; it knows STABILIZE, GUIDED."),
+    MODE_DOES_NOT_ARM(
+            "The vehicle is not armed in its mode.",
+            "Arm: RTL mode not armable. It is not armed in RTL; change its mode to GUIDED first."),
+    POSITION_MISSING(
+            "The vehicle does not know well enough where it is.",
+            "Mode change to LOITER failed: requires position. Without a position it can land, or keep its height in"
+                    + " ALT_HOLD while a pilot steers."),
+    FENCE_FORBIDS(
+            "The vehicle's own fence keeps it from going there.",
+            "The vehicle denied it and gave no reason. The place is 240 m from its home, and its own fence ends at"
+                    + " FENCE_RADIUS 150 m."),
     MODE_NOT_STEERABLE(
             "In its mode the drone does not go by what it is steered with.",
             "In AUTO it is not to be steered so; change its mode to GUIDED first."),

@@ -10,12 +10,11 @@ final class ControlHistoryEvents {
     private ControlHistoryEvents() {}
 
     static HistoryEvent of(DroneId drone, Instant at, ControlChange change) {
-        LeaseHolder other = change.other();
         return new HistoryEvent(
                 drone,
                 at,
                 HistoryEvent.Kind.CONTROL,
-                change.by().words() + " " + verb(change.kind()) + (other == null ? "." : " (" + other.words() + ")."),
+                sentence(change),
                 null,
                 change.by().userName().orElse(null),
                 null,
@@ -23,20 +22,26 @@ final class ControlHistoryEvents {
                 change.reason());
     }
 
-    private static String verb(ControlChange.Kind kind) {
-        return switch (kind) {
-            case TAKEN -> "took control";
-            case REQUESTED -> "asked for control";
-            case REFUSED -> "refused control";
-            case HANDED_OVER -> "handed control over";
-            case TAKEN_OVER -> "took control over";
-            case RELEASED -> "gave control back";
-            case EXPIRED -> "was idle, and control ended";
-            case LOST -> "fell silent in control";
-            case RETURN_DUE -> "was not replaced, and the drone is called back";
-            case PILOT_ACTED -> "acted";
-            case PILOT_LEFT -> "let go";
-            case EXPELLED -> "may command no more";
+    private static String sentence(ControlChange change) {
+        String by = change.by().words();
+        LeaseHolder other = change.other();
+        String whom = other == null ? "" : other.words();
+        return switch (change.kind()) {
+            case TAKEN -> by + " took control.";
+            case REQUESTED -> other == null ? by + " asked for control." : by + " asked " + whom + " for control.";
+            case REFUSED ->
+                other == null ? by + " kept control." : by + " kept control, which " + whom + " had asked for.";
+            case HANDED_OVER -> by + " handed control over" + (other == null ? "." : " to " + whom + ".");
+            case TAKEN_OVER -> by + " took control over" + (other == null ? "." : " from " + whom + ".");
+            case RELEASED -> by + " gave control back.";
+            case EXPIRED -> by + " was idle, and control ended.";
+            case LOST -> by + " fell silent in control.";
+            case RETURN_DUE -> "Nobody took control after " + by + " had it; the drone is called back.";
+            case PILOT_ACTED ->
+                by + (change.reason() == null ? "" : " changed the mode to " + change.reason() + " and")
+                        + " has control now" + (other == null ? "." : ", not " + whom + ".");
+            case PILOT_LEFT -> by + " let go of control.";
+            case EXPELLED -> by + ", who had control, may command no more.";
         };
     }
 }

@@ -73,7 +73,14 @@ public final class CommandRoutes {
             return new PredictedRoute(List.of(), "Which mission is on the vehicle is not known");
         }
         Integer current = mission.current();
-        int next = current == null || mission.complete() || !drone.airborne() ? 0 : current;
-        return new MissionRouteBuilder(drone).through(items, next);
+        boolean drives = drone.identification().kind().neverFlies();
+        if (current == null || mission.complete() || !(drone.airborne() || drives)) {
+            return new MissionRouteBuilder(drone).through(items, 0);
+        }
+        PredictedRoute onwards = new MissionRouteBuilder(drone).through(items, current);
+        // The item that it says may be left from the mission before this one: then it begins at the first.
+        return drives && mission.reached().isEmpty()
+                ? onwards.or(new MissionRouteBuilder(drone).through(items, 0))
+                : onwards;
     }
 }

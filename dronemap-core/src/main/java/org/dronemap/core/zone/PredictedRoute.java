@@ -1,5 +1,6 @@
 package org.dronemap.core.zone;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
@@ -14,5 +15,12 @@ public record PredictedRoute(List<Leg> legs, @Nullable String doubt) {
 
     public PredictedRoute {
         legs = List.copyOf(legs);
+    }
+
+    /** Where it is not known which of two ways it goes: what is on either. */
+    PredictedRoute or(PredictedRoute other) {
+        List<Leg> both = new ArrayList<>(legs);
+        both.addAll(other.legs());
+        return new PredictedRoute(both, doubt == null ? other.doubt() : doubt);
     }
 }

@@ -216,7 +216,11 @@ final class MissionWatch {
         lookedUpTo = 0;
         status.missionRead(read.items());
         onRead.accept(read.items());
-        if (asUploaded || !mission.equals(known) || !Objects.equals(hash, knownHash)) {
+        boolean changed = !mission.equals(known) || !Objects.equals(hash, knownHash);
+        if (asUploaded || (known != null && changed)) {
+            status.missionReplaced();
+        }
+        if (asUploaded || changed) {
             known = mission;
             knownHash = hash;
             out.accept(new DroneEvent.MissionRead(

@@ -54,9 +54,24 @@ public final class CommandRules {
         if (!drone.capabilities().commands().contains(capability)) {
             return because(
                     OutcomeCode.CAPABILITY_MISSING,
-                    "This vehicle (" + drone.identification().vehicle() + ") cannot " + capability.phrase() + ".");
+                    "This vehicle (" + drone.identification().vehicle() + ") cannot " + capability.phrase() + "."
+                            + insteadOf(drone, capability));
         }
         return Optional.ofNullable(stateForbids(drone, capability));
+    }
+
+    /** The way out for what flies on wings: missions do for it what commands do for copters. */
+    private static String insteadOf(DroneState drone, Capability capability) {
+        boolean byMission = drone.identification().kind() == VehicleKind.FIXED_WING
+                && drone.capabilities().commands().contains(Capability.START_MISSION);
+        if (byMission && capability == Capability.TAKE_OFF) {
+            return " It takes off by a mission: upload one that begins with takeOff, arm, and start the mission.";
+        }
+        if (byMission && capability == Capability.LAND) {
+            return " It lands by a mission: upload one that ends with land, and start it; return to launch lands where"
+                    + " its mission has a landing sequence, and circles above home otherwise.";
+        }
+        return "";
     }
 
     /** The same, looking into the command as well. */

@@ -235,7 +235,7 @@ final class ArduPilotAdapter implements AutopilotAdapter {
             case RETURN_ON_LOSS -> CloudLossExchanges.comeHome(cockpit, kind, CLOUD_LOSS);
             case SET_CLOUD_LOSS -> setCloudLoss(cockpit, (SetCloudLossAction) command);
             case PUT_BACK -> CloudLossExchanges.putBack(cockpit, (RestoreParameters) command);
-            case ARM -> BasicExchanges.arm(cockpit);
+            case ARM -> BasicExchanges.arm(cockpit, capabilities());
             case DISARM -> BasicExchanges.disarm(cockpit, ((Command.Disarm) command).force());
             case TAKE_PICTURE -> BasicExchanges.picture(cockpit);
             case SET_HOME -> HomeExchanges.set(cockpit, (Command.SetHome) command);
@@ -269,9 +269,24 @@ final class ArduPilotAdapter implements AutopilotAdapter {
 
     private Exchange mode(CommandContext cockpit, String name, ExchangeObserver observer) {
         return table.number(name)
-                .map(number -> BasicExchanges.mode(cockpit, name, number, 0f, observer))
+                .map(number -> withoutPosition(BasicExchanges.mode(cockpit, name, number, 0f, observer)))
                 .orElseGet(() ->
                         BasicExchanges.refuse(OutcomeCode.MODE_UNKNOWN, "This vehicle has no mode " + name + "."));
+    }
+
+    /** A copter that does not know where it is says which mode it cannot have, and not what is left. */
+    private Exchange withoutPosition(Exchange change) {
+        return table != ArduPilotModeTable.COPTER
+                ? change
+                : new ExplainedExchange(
+                        change,
+                        said -> said.sentence().contains("requires position")
+                                ? Optional.of(ExplainedExchange.after(
+                                        said,
+                                        OutcomeCode.POSITION_MISSING,
+                                        "Without a position it can land, or keep its height in ALT_HOLD while a pilot"
+                                                + " steers."))
+                                : Optional.empty());
     }
 
     /** BRAKE needs no pilot's throttle; where it is not to be had, the mode that every vehicle of the kind knows. */
@@ -348,10 +363,13 @@ final class ArduPilotAdapter implements AutopilotAdapter {
                 cockpit.observer());
         return new ExchangeSequence(List.of(
                 guided(cockpit),
-                ExchangeSequence.Step.of(() -> new FallbackExchange(
-                        reposition,
-                        refused -> reposition.isUnknownToVehicle(),
-                        () -> new PositionTargetExchange(cockpit.target(), message))),
+                ExchangeSequence.Step.of(() -> new FencedGoTo(
+                        cockpit,
+                        command,
+                        new FallbackExchange(
+                                reposition,
+                                refused -> reposition.isUnknownToVehicle(),
+                                () -> new PositionTargetExchange(cockpit.target(), message)))),
                 SpeedExchanges.again(cockpit, kind)));
     }
 

@@ -1,11 +1,13 @@
 package org.dronemap.proxy.mavlink.translate;
 
 import java.time.Duration;
+import java.util.Optional;
 import java.util.function.Predicate;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.Refusal;
+import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.mavlink.procedure.CommandExchange;
@@ -78,6 +80,22 @@ final class BasicExchanges {
                 cockpit.target(),
                 MavCommandRequest.ofLong(cockpit.target(), ARM_DISARM, new float[] {1f}, REPEATABLE, proof),
                 cockpit.observer());
+    }
+
+    /**
+     * The same, with the way out where the vehicle refuses it for its mode. It is asked all the same: a setting of the vehicle
+     * may allow it.
+     */
+    static Exchange arm(CommandContext cockpit, Capabilities can) {
+        String mode = cockpit.status().mode();
+        return can.armingMode(mode)
+                .<Exchange>map(usual -> new ExplainedExchange(
+                        arm(cockpit),
+                        said -> Optional.of(ExplainedExchange.after(
+                                said,
+                                OutcomeCode.MODE_DOES_NOT_ARM,
+                                "It is not armed in " + mode + "; change its mode to " + usual + " first."))))
+                .orElseGet(() -> arm(cockpit));
     }
 
     static Exchange disarm(CommandContext cockpit, boolean force) {

@@ -1,6 +1,8 @@
 package org.dronemap.proxy.mavlink.translate;
 
+import java.util.Optional;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.command.Refusal;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.mavlink.Frame;
@@ -10,12 +12,28 @@ import org.jspecify.annotations.Nullable;
 /** Runs an exchange and adds to a refusal of the vehicle what is known of why, and what can be done instead. */
 final class ExplainedExchange implements Exchange {
     private final Exchange exchange;
-    private final String sentence;
+    private final Explanation explanation;
 
-    /** {@code sentence} stands after what the vehicle said itself. */
-    ExplainedExchange(Exchange exchange, String sentence) {
+    /** What is known of a refusal besides the vehicle's own words. */
+    interface Explanation {
+        /** Empty where nothing is to be added to what the vehicle said. */
+        Optional<Refusal> of(Refusal said);
+    }
+
+    ExplainedExchange(Exchange exchange, Explanation explanation) {
         this.exchange = exchange;
-        this.sentence = sentence;
+        this.explanation = explanation;
+    }
+
+    /** {@code sentence} stands after what the vehicle said itself, whatever that is. */
+    ExplainedExchange(Exchange exchange, String sentence) {
+        this(exchange, said -> Optional.of(after(said, said.code(), sentence)));
+    }
+
+    /** What the vehicle said, and then that sentence. */
+    static Refusal after(Refusal said, OutcomeCode code, String sentence) {
+        boolean whole = said.sentence().endsWith(".") || said.sentence().endsWith("!");
+        return new Refusal(code, said.sentence() + (whole ? " " : ". ") + sentence);
     }
 
     @Override
@@ -49,8 +67,9 @@ final class ExplainedExchange implements Exchange {
         if (!(outcome instanceof Outcome.Refused refused) || !refused.by().equals("vehicle")) {
             return outcome;
         }
-        String said = refused.reason();
-        String end = said.endsWith(".") || said.endsWith("!") ? " " : ". ";
-        return new Outcome.Refused(refused.by(), new Refusal(refused.code(), said + end + sentence));
+        return explanation
+                .of(new Refusal(refused.code(), refused.reason()))
+                .<Outcome>map(why -> new Outcome.Refused(refused.by(), why))
+                .orElse(refused);
     }
 }

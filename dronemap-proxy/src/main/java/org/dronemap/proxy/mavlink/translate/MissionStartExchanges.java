@@ -24,13 +24,16 @@ final class MissionStartExchanges {
             Command.StartMission start,
             VehicleKind kind,
             Function<ExchangeObserver, Exchange> auto) {
-        boolean fromGround = !cockpit.status().airborne();
+        // What drives goes on from wherever it stands.
+        boolean fromGround = !cockpit.status().airborne() && !kind.neverFlies();
         List<ExchangeSequence.Step> steps = new ArrayList<>(cloudLoss(cockpit, start.onCloudLoss(), kind));
-        if (start.anew() && !fromGround) {
+        boolean resumes = cockpit.status().resumesMission(ArduPilotAdapter.HOME_ITEMS);
+        boolean elsewhere = start.anew() || cockpit.status().currentSeq() > ArduPilotAdapter.HOME_ITEMS;
+        if (!fromGround && elsewhere && (start.anew() || !resumes)) {
             // It would go on with the number of the item that it had, whatever is there now.
             steps.add(ExchangeSequence.Step.of(() -> new SetCurrentItemExchange(
                     cockpit.target(), ArduPilotAdapter.HOME_ITEMS, seq -> seq == ArduPilotAdapter.HOME_ITEMS)));
-        } else if (fromGround || cockpit.status().missionFinished()) {
+        } else if (!resumes) {
             // Who does not say so begins at item 1 by itself; this one answer more is no reason to stay on the ground.
             steps.add(new ExchangeSequence.Step(
                     () -> new SetCurrentItemExchange(cockpit.target(), 0, seq -> seq <= 1), any -> true));

@@ -222,7 +222,7 @@ final class Px4Adapter implements AutopilotAdapter {
                 CloudLossExchanges.set(
                         cockpit, (SetCloudLossAction) command, policy(((SetCloudLossAction) command).afterSeconds()));
             case PUT_BACK -> CloudLossExchanges.putBack(cockpit, (RestoreParameters) command);
-            case ARM -> BasicExchanges.arm(cockpit);
+            case ARM -> BasicExchanges.arm(cockpit, capabilities());
             case DISARM -> BasicExchanges.disarm(cockpit, ((Command.Disarm) command).force());
             case TAKE_PICTURE -> BasicExchanges.picture(cockpit);
             case SET_HOME -> HomeExchanges.set(cockpit, (Command.SetHome) command);
@@ -329,7 +329,7 @@ final class Px4Adapter implements AutopilotAdapter {
         };
     }
 
-    private static Exchange start(CommandContext cockpit, Command.StartMission start) {
+    private Exchange start(CommandContext cockpit, Command.StartMission start) {
         boolean goOn = start.onCloudLoss() == MissionCloudLossPolicy.CONTINUE;
         List<ExchangeSequence.Step> steps = new ArrayList<>();
         steps.add(BasicExchanges.setParameterStep(
@@ -338,9 +338,13 @@ final class Px4Adapter implements AutopilotAdapter {
                         "COM_DLL_EXCEPT",
                         old -> goOn ? old | COM_DLL_EXCEPT_MISSION : old & ~COM_DLL_EXCEPT_MISSION,
                         true)));
-        if (start.anew() && cockpit.status().airborne()) {
+        VehicleStatus status = cockpit.status();
+        boolean fromGround = !status.airborne() && !kind.neverFlies();
+        boolean resumes = status.resumesMission(0);
+        boolean elsewhere = start.anew() || status.currentSeq() > 0;
+        if (!fromGround && elsewhere && (start.anew() || !resumes)) {
             steps.add(ExchangeSequence.Step.of(() -> new SetCurrentItemExchange(cockpit.target(), 0, seq -> seq == 0)));
-        } else if (!cockpit.status().airborne() || cockpit.status().missionFinished()) {
+        } else if (!resumes) {
             steps.add(new ExchangeSequence.Step(
                     () -> new SetCurrentItemExchange(cockpit.target(), 0, seq -> seq == 0), any -> true));
         }

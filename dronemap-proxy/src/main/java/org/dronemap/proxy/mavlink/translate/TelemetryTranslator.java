@@ -184,7 +184,7 @@ public final class TelemetryTranslator {
     private void missionCurrent(MissionCurrent message) {
         boolean known = message.seq() != UNKNOWN_U16;
         if (known) {
-            status.current(message.seq());
+            status.current(message.seq(), message.missionState());
         }
         int index = message.seq() - autopilot.itemsBeforeMission();
         Integer heading = !known || index < 0 || status.hasNoMission() ? null : (Integer) index;

@@ -1,6 +1,7 @@
 package org.dronemap.proxy.mavlink.translate;
 
 import java.util.List;
+import java.util.Set;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.geo.Geodetic;
@@ -15,6 +16,8 @@ import org.jspecify.annotations.Nullable;
  */
 public final class VehicleStatus {
     private static final int ARMED_FLAG = 128;
+    private static final int MISSION_COMPLETE = 5;
+    private static final Set<String> MISSION_MODES = Set.of("AUTO", "MISSION");
     private static final double CLEARLY_ABOVE_METERS = 1;
 
     private int type;
@@ -31,6 +34,8 @@ public final class VehicleStatus {
     private int currentSeq = -1;
     private int lastSeqReached = -1;
     private @Nullable List<MissionItemInt> mission;
+    private boolean missionComplete;
+    private boolean missionReplaced;
     private int pictures;
     private @Nullable Double speed;
 
@@ -61,6 +66,12 @@ public final class VehicleStatus {
     /** Numbers pictures, so that a camera knows a repeated order. */
     int nextPicture() {
         return ++pictures;
+    }
+
+    /** Its name; null before it was told. */
+    @Nullable
+    String mode() {
+        return mode;
     }
 
     public boolean inMode(String name) {
@@ -112,10 +123,34 @@ public final class VehicleStatus {
         return homeLongitudeE7;
     }
 
-    /** It has reached its last mission item, so that starting means starting over. */
-    public boolean missionFinished() {
+    /** It has reached its last mission item, or says that it is through, so that starting means starting over. */
+    private boolean missionFinished() {
         List<MissionItemInt> items = mission;
-        return items != null && !items.isEmpty() && lastSeqReached >= items.size() - 1;
+        return missionComplete || (items != null && !items.isEmpty() && lastSeqReached >= items.size() - 1);
+    }
+
+    /**
+     * It is in the middle of the mission that it has, so that starting means going on: known by the item that it is at, not by
+     * its height. What flies and is on the ground again has to begin with its take-off.
+     *
+     * @param first the number on the wire of the mission's first item
+     */
+    boolean resumesMission(int first) {
+        boolean canGoOn = VehicleType.kind(type).neverFlies() || airborne();
+        boolean begun = currentSeq > first || lastSeqReached >= first;
+        return canGoOn && begun && !missionReplaced && !missionFinished();
+    }
+
+    /** It has got another mission than the one that it was in, or the same one anew. */
+    public void missionReplaced() {
+        missionReplaced = true;
+        missionComplete = false;
+        lastSeqReached = -1;
+    }
+
+    /** It goes by its mission now. */
+    private void missionFlown() {
+        missionReplaced = false;
     }
 
     /** True only when it was read and found empty. */
@@ -132,6 +167,9 @@ public final class VehicleStatus {
     void heartbeat(Heartbeat last, String modeName) {
         if (!modeName.equals(mode)) {
             speed = null;
+        }
+        if (armed() && MISSION_MODES.contains(modeName)) {
+            missionFlown();
         }
         heartbeat = last;
         mode = modeName;
@@ -180,7 +218,9 @@ public final class VehicleStatus {
         homeAltitudeAmslMeters = null;
     }
 
-    void current(int seq) {
+    /** {@code missionState} as MISSION_CURRENT says it; 0: not at all. */
+    void current(int seq, int missionState) {
+        missionComplete = missionState == MISSION_COMPLETE;
         if (seq < currentSeq) {
             lastSeqReached = -1;
         }

@@ -95,7 +95,9 @@ final class ControlStatusPublisher implements CloudListener, AutoCloseable {
         String news = news(change.kind());
         if (news != null) {
             String reason = change.reason();
-            voice.explain(change.by().words() + news + (reason == null ? "." : ": " + reason + "."));
+            boolean byMode = change.kind() == ControlChange.Kind.PILOT_ACTED;
+            String why = reason == null ? "." : (byMode ? " by changing the mode to " : ": ") + reason + ".";
+            voice.explain(change.by().words() + news + why);
         }
     }
 
