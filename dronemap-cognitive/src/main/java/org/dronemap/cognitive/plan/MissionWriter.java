@@ -9,6 +9,7 @@ import org.dronemap.cognitive.problem.Place;
 import org.dronemap.cognitive.problem.Task;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.LandingPlace;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.mission.WaypointTask;
@@ -17,9 +18,13 @@ import org.dronemap.core.mission.WaypointTask;
 public final class MissionWriter {
     private static final double HIGHEST_TAKE_OFF_METERS = 500;
     private static final double LONGEST_HOLD_SECONDS = 3_600;
+    /** What sums of seconds are off by. */
+    private static final double ROUNDING_SECONDS = 1e-6;
 
     private final Craft craft;
-    private final boolean landsAnywhere;
+    private final VehicleKind kind;
+    /** A wing has to move on. */
+    private final boolean stands;
 
     private final Function<String, Task> tasks;
 
@@ -27,8 +32,8 @@ public final class MissionWriter {
     public MissionWriter(Craft craft, VehicleKind kind, Function<String, Task> tasks) {
         this.craft = craft;
         this.tasks = tasks;
-        // An aeroplane needs its own way of coming down.
-        this.landsAnywhere = kind != VehicleKind.FIXED_WING;
+        this.kind = kind;
+        this.stands = kind != VehicleKind.FIXED_WING && kind != VehicleKind.VTOL;
     }
 
     /**
@@ -82,9 +87,21 @@ public final class MissionWriter {
             }
         }
         if (craft.lands()) {
-            items.add(landsAnywhere ? new MissionItem.Land() : new MissionItem.ReturnToLaunch());
+            items.add(landing());
         }
         return new WrittenMission(items, arrivals, done);
+    }
+
+    /** An aeroplane needs its own way of coming down, and one that flies on wings before a place to come down at. */
+    private MissionItem landing() {
+        Place end = craft.finish().place();
+        return switch (kind) {
+            case FIXED_WING -> new MissionItem.ReturnToLaunch();
+            case VTOL ->
+                new MissionItem.Land(
+                        new LandingPlace(end.point(), new Altitude(end.altitudeAmslMeters(), Altitude.Reference.AMSL)));
+            default -> new MissionItem.Land();
+        };
     }
 
     private List<WaypointTask> parts(Tour tour, int stop) {
@@ -93,7 +110,7 @@ public final class MissionWriter {
 
     /**
      * What is done there, and the number of the item after which all is: a vehicle sets off as soon as it was told, so that
-     * it is made to wait after each.
+     * it is made to wait after each; one that cannot stand does it while it flies by.
      */
     private int arrive(List<MissionItem> items, List<TaskItem> done, Tour tour, int stop) {
         List<WaypointTask> parts = parts(tour, stop);
@@ -106,9 +123,12 @@ public final class MissionWriter {
             boolean last = part == parts.size() - 1;
             double seconds = last ? Math.max(rest, task.seconds()) : task.seconds();
             rest -= seconds;
-            items.add(new MissionItem.Wait(seconds));
             boolean sensors = task instanceof WaypointTask.Sensors;
-            int item = sensors ? items.size() - 1 : items.size() - 2;
+            boolean waits = stands || sensors || seconds > task.seconds();
+            if (waits) {
+                items.add(new MissionItem.Wait(seconds));
+            }
+            int item = sensors || !waits ? items.size() - 1 : items.size() - 2;
             done.add(new TaskItem(item, tour.stops().get(stop).waypoint(), part));
         }
         int arrival = items.size() - 1;
@@ -140,10 +160,15 @@ public final class MissionWriter {
         return last ? 2 : Math.min(2, fixes.size() - 1);
     }
 
-    /** Until its next way begins: its task, and what waiting keeps drones apart. */
-    private static double hold(Tour tour, int stop) {
-        return Math.max(
-                0, tour.way(stop + 1).departsSeconds() - tour.stops().get(stop).arrivesSeconds());
+    /**
+     * Until its next way begins: its task, and what waiting keeps drones apart, in whole seconds, as most vehicles count
+     * them; one that cannot stand keeps apart by other means.
+     */
+    private double hold(Tour tour, int stop) {
+        double apart =
+                tour.way(stop + 1).departsSeconds() - tour.stops().get(stop).arrivesSeconds();
+        double task = tasks.apply(tour.stops().get(stop).waypoint()).serviceSeconds();
+        return Math.ceil(Math.max(0, (stands ? Math.max(task, apart) : task) - ROUNDING_SECONDS));
     }
 
     private void takeOff(List<MissionItem> items, Place top) {

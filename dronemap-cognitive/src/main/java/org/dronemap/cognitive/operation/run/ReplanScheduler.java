@@ -50,6 +50,7 @@ final class ReplanScheduler {
             return;
         }
         Map<DroneId, Craft> usable = usable(draft, looks);
+        UnflyableWaypoints.settle(draft);
         List<ReplanCause> early = draft.causes().stream()
                 .filter(cause -> isEarly(draft, cause, usable))
                 .toList();
@@ -124,8 +125,8 @@ final class ReplanScheduler {
         Duration horizon = limit.isZero() ? AT_ONCE : limit.plus(BESIDE_SEARCH);
         // What is left may be less than there are drones, and matters more than that each has some of it.
         PlanningProblem problem = new PlanningProblem(
-                open,
-                crafts,
+                UnflyableWaypoints.marked(draft, open),
+                UnflyableWaypoints.marked(draft, crafts, open),
                 DroneObstacles.barriers(draft, looks, crafts),
                 setting.wind(),
                 setting.objective().withIdleDronesAllowed(),

@@ -9,6 +9,7 @@ import org.dronemap.cognitive.operation.run.model.RunInput;
 import org.dronemap.cognitive.operation.run.model.RunTrigger;
 import org.dronemap.cognitive.operation.run.model.Sortie;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.command.OutcomeCode;
 
 /** Applies the outcome of a command to the drone of a mission run that it was given to. */
 final class RunCommandResults {
@@ -40,9 +41,15 @@ final class RunCommandResults {
             draft.put(drone.withIssuedCommand(null));
         } else if (ArmingPatience.isFor(drone, errand, input.outcome())) {
             ArmingPatience.refused(draft, drone, reason(input.outcome()));
-        } else {
+        } else if (errand.kind() != IssuedCommand.Purpose.UPLOAD || !refusesAnItem(draft, drone, input.outcome())) {
             failed(draft, drone, reason(input.outcome()));
         }
+    }
+
+    private static boolean refusesAnItem(RunTransition draft, RunDrone drone, Outcome outcome) {
+        OutcomeCode code = outcome.code();
+        return code != null
+                && UnflyableWaypoints.foundByVehicle(draft, drone.withIssuedCommand(null), code, reason(outcome) + ".");
     }
 
     private static void succeeded(RunTransition draft, RunDrone drone, IssuedCommand errand) {

@@ -107,7 +107,7 @@ final class RunCommands {
         Sortie next = drone.next();
         if (next == null) {
             draft.put(drone.to(drone.sortie() == null ? RunDroneStage.LANDED : RunDroneStage.READY, draft.now()));
-        } else if (TaskReports.skipDone(draft, drone, next)) {
+        } else if (TaskReports.skipDone(draft, drone, next) || UnflyableWaypoints.foundBefore(draft, drone, look)) {
             return;
         } else if (Boolean.TRUE.equals(look.progress().carriesNext())) {
             draft.put(uploaded(drone, next).to(RunDroneStage.READY, draft.now()));
@@ -253,7 +253,8 @@ final class RunCommands {
 
     /** Or may have to be: what it did of its last mission is not done again. */
     private static boolean isAmended(RunTransition draft, RunDrone drone, Sortie next, DroneObservation look) {
-        return TaskReports.skipDone(draft, drone, next)
+        return UnflyableWaypoints.foundBefore(draft, drone, look)
+                || TaskReports.skipDone(draft, drone, next)
                 || TaskReports.mayReportYet(draft, drone, look)
                 || leavesOutWhatIsDone(draft, drone, next, look);
     }

@@ -109,7 +109,21 @@ final class RunObservations {
                 carries(drone.next(), mission),
                 mission.items() != null && (mission.current() != null || mission.phase() != null),
                 passed,
-                mission.complete());
+                mission.complete(),
+                fault(drone.next(), state));
+    }
+
+    private static DroneObservation.@Nullable ItemFault fault(@Nullable Sortie next, DroneState state) {
+        if (next == null) {
+            return null;
+        }
+        return state.capabilities()
+                .missions()
+                .fault(next.mission())
+                .map(fault -> new DroneObservation.ItemFault(
+                        fault.index(),
+                        fault.sentence(next.mission(), state.identification().vehicle())))
+                .orElse(null);
     }
 
     /** A mission that was brought to it and not started yet keeps the place where it was in the one before. */

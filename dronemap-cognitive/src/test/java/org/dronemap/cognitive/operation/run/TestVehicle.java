@@ -15,6 +15,7 @@ import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
+import org.dronemap.core.mission.MissionAbilities;
 import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
@@ -24,6 +25,7 @@ final class TestVehicle {
     private static final LocalPlane PLANE = new LocalPlane(PlanningFixtures.point(0, 0));
     final DroneId id;
     VehicleKind kind = VehicleKind.MULTICOPTER;
+    MissionAbilities missions = MissionAbilities.ALL;
     final double homeEast;
     final double homeNorth;
     double cruise = 10;

@@ -84,7 +84,7 @@ final class TestVehicleReport {
                         new DroneKey("127.0.0.1", 1, 1), "udp", LinkState.LIVE, now, LinkQuality.UNKNOWN, List.of()),
                 new Identification(vehicle.kind, "ArduPilot", "ArduCopter", null, null),
                 IdentityTrust.UNPROVED,
-                CAN,
+                CAN.with(vehicle.missions),
                 vehicle.mode,
                 vehicle.armed,
                 true,

@@ -66,10 +66,24 @@ public record DroneObservation(
      * @param known it has said which mission it has and where in it it is, so that what follows can be relied on
      * @param passed how many items of what it has on board are behind it
      * @param complete flown to the end
+     * @param nextFault of what it is to get, the first item that its vehicle does not fly; null: none is known
      */
-    @Stored(names = "carries carriesNext told passed complete")
+    @Stored(names = "carries carriesNext told passed complete nextFault", later = "nextFault")
     public record Progress(
-            @Nullable Boolean carries, @Nullable Boolean carriesNext, boolean known, int passed, boolean complete) {}
+            @Nullable Boolean carries,
+            @Nullable Boolean carriesNext,
+            boolean known,
+            int passed,
+            boolean complete,
+            @Nullable ItemFault nextFault) {}
+
+    /**
+     * An item of a mission that the vehicle does not fly as it is written.
+     *
+     * @param item its number, from 0
+     */
+    @Stored(names = "item sentence")
+    public record ItemFault(int item, String sentence) {}
 
     public boolean isLive() {
         return link == LinkState.LIVE;

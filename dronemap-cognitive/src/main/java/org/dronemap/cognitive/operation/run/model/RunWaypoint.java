@@ -17,9 +17,10 @@ import org.jspecify.annotations.Nullable;
  * @param visits the first is the one that counts; a further one only by a drone that was out of contact
  * @param reason why nobody visits it, as a sentence; null: somebody will, or did
  * @param leftOut for that reason the newest plan has nobody for it; the next one tries again
+ * @param refusedBy drones whose vehicles do not fly what is to be done there
  * @param reports what became of the parts of its task; of those that nobody was seen to begin there is none
  */
-@Stored(names = "waypoint state drone visits reason leftOut reports")
+@Stored(names = "waypoint state drone visits reason leftOut reports refusedBy", later = "refusedBy")
 public record RunWaypoint(
         Waypoint waypoint,
         State state,
@@ -27,7 +28,8 @@ public record RunWaypoint(
         List<Visit> visits,
         @Nullable String reason,
         boolean leftOut,
-        List<Report> reports) {
+        List<Report> reports,
+        List<DroneId> refusedBy) {
     /** The state of a waypoint in the run. */
     @Stored(names = "WAITING ASSIGNED RESERVED VISITED UNSERVED CANCELLED")
     public enum State {
@@ -80,10 +82,11 @@ public record RunWaypoint(
     public RunWaypoint {
         reports = List.copyOf(reports);
         visits = List.copyOf(visits);
+        refusedBy = List.copyOf(refusedBy);
     }
 
     public static RunWaypoint waiting(Waypoint waypoint) {
-        return new RunWaypoint(waypoint, State.WAITING, null, List.of(), null, false, List.of());
+        return new RunWaypoint(waypoint, State.WAITING, null, List.of(), null, false, List.of(), List.of());
     }
 
     public String id() {
@@ -95,11 +98,18 @@ public record RunWaypoint(
     }
 
     public RunWaypoint to(State next, @Nullable DroneId whose, @Nullable String why) {
-        return new RunWaypoint(waypoint, next, whose, visits, why, false, reports);
+        return new RunWaypoint(waypoint, next, whose, visits, why, false, reports, refusedBy);
     }
 
     public RunWaypoint leftOut(@Nullable String why) {
-        return new RunWaypoint(waypoint, State.WAITING, null, visits, why, true, reports);
+        return new RunWaypoint(waypoint, State.WAITING, null, visits, why, true, reports, refusedBy);
+    }
+
+    /** That drone does not fly it, nor is it planned for it again. */
+    public RunWaypoint refusedBy(DroneId one) {
+        List<DroneId> refused = new ArrayList<>(refusedBy);
+        refused.add(one);
+        return new RunWaypoint(waypoint, state, drone, visits, reason, leftOut, reports, refused);
     }
 
     public Optional<Report> report(int part) {
@@ -112,12 +122,12 @@ public record RunWaypoint(
                 reports.stream().filter(report -> report.part() != newer.part()).toList());
         all.add(newer);
         all.sort(Comparator.comparingInt(Report::part));
-        return new RunWaypoint(waypoint, state, drone, visits, reason, leftOut, all);
+        return new RunWaypoint(waypoint, state, drone, visits, reason, leftOut, all, refusedBy);
     }
 
     /** Somewhere else, where nothing was done yet. */
     public RunWaypoint with(Waypoint other) {
-        return new RunWaypoint(other, state, drone, visits, leftOut ? null : reason, false, List.of());
+        return new RunWaypoint(other, state, drone, visits, leftOut ? null : reason, false, List.of(), List.of());
     }
 
     public boolean isVisitedBy(DroneId by) {
@@ -132,6 +142,6 @@ public record RunWaypoint(
         }
         List<Visit> all = new ArrayList<>(visits);
         all.add(new Visit(by, at));
-        return new RunWaypoint(waypoint, State.VISITED, null, all, null, false, reports);
+        return new RunWaypoint(waypoint, State.VISITED, null, all, null, false, reports, refusedBy);
     }
 }

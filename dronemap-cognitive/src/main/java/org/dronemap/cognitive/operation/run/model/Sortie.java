@@ -118,6 +118,21 @@ public record Sortie(
         return late.isNegative() ? this : at(zero.plus(late));
     }
 
+    /** The waypoint that an item belongs to; empty: it is of the take-off or the way home. */
+    public Optional<String> waypointOf(int item) {
+        MissionItem.Kind kind = mission.items().get(item).kind();
+        boolean after = kind == MissionItem.Kind.LOOK_AHEAD;
+        boolean own = kind == MissionItem.Kind.TAKE_OFF
+                || kind == MissionItem.Kind.LAND
+                || kind == MissionItem.Kind.RETURN_TO_LAUNCH;
+        for (int stop = 0; stop < arrivals.size() && !own; stop++) {
+            if (arrivals.get(stop) >= (after ? item - 1 : item)) {
+                return Optional.of(tour.stops().get(stop).waypoint());
+            }
+        }
+        return Optional.empty();
+    }
+
     /** When it is to be there; empty: it is none of its stops. */
     public Optional<Instant> due(String waypoint) {
         return tour.stops().stream()
