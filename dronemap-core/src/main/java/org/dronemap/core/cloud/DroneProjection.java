@@ -264,8 +264,11 @@ final class DroneProjection {
     }
 
     private void home(DroneEvent.HomeReported event) {
-        home = event.home();
-        ground.at(event.home(), stands());
+        Home told = event.home();
+        home = told;
+        if (told != null) {
+            ground.at(told, stands());
+        }
     }
 
     private void identified(DroneEvent.Identified event) {
@@ -275,7 +278,9 @@ final class DroneProjection {
 
     private void mode(DroneEvent.ModeReported event) {
         mode = event.mode();
-        armed = event.armed();
+        if (event.armed() != null) {
+            armed = event.armed();
+        }
     }
 
     private void reached(DroneEvent.MissionItemReached event) {

@@ -89,23 +89,24 @@ public sealed interface DroneEvent {
         }
     }
 
-    /** {@code mode} is null when the vehicle's mode has no name here. */
-    record ModeReported(@Nullable String mode, boolean armed) implements DroneEvent {
+    /** {@code mode} is null when the vehicle's mode has no name here; {@code armed} when it told its mode alone. */
+    record ModeReported(@Nullable String mode, @Nullable Boolean armed) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.MODE;
         }
     }
 
-    /** The verdict of the vehicle's own pre-arm checks. */
-    record ReadinessReported(boolean readyToArm) implements DroneEvent {
+    /** The verdict of the vehicle's own pre-arm checks; null when it tells none any more. */
+    record ReadinessReported(@Nullable Boolean readyToArm) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.READINESS;
         }
     }
 
-    record PhaseReported(FlightPhase phase) implements DroneEvent {
+    /** {@code phase} is null when the vehicle says that it does not know any more. */
+    record PhaseReported(@Nullable FlightPhase phase) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.PHASE;
@@ -133,7 +134,8 @@ public sealed interface DroneEvent {
         }
     }
 
-    record AttitudeReported(Attitude attitude) implements DroneEvent {
+    /** {@code attitude} is null when the vehicle says that it does not know it. */
+    record AttitudeReported(@Nullable Attitude attitude) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.ATTITUDE;
@@ -154,7 +156,8 @@ public sealed interface DroneEvent {
         }
     }
 
-    record HomeReported(Home home) implements DroneEvent {
+    /** {@code home} is null when the vehicle says that it has none. */
+    record HomeReported(@Nullable Home home) implements DroneEvent {
         @Override
         public Kind kind() {
             return Kind.HOME;

@@ -68,10 +68,10 @@ final class TranslatorFuzz {
         } else if (event instanceof DroneEvent.BatteryReported heard
                 && heard.battery().percent() != null) {
             assertThat(heard.battery().percent()).as(name).isBetween(0, 100);
-        } else if (event instanceof DroneEvent.AttitudeReported heard) {
+        } else if (event instanceof DroneEvent.AttitudeReported heard && heard.attitude() != null) {
             assertThat(heard.attitude().rollDegrees()).as(name).isFinite();
             assertThat(heard.attitude().yawDegrees()).as(name).isFinite();
-        } else if (event instanceof DroneEvent.HomeReported heard) {
+        } else if (event instanceof DroneEvent.HomeReported heard && heard.home() != null) {
             assertThat(heard.home().altitudeAmslMeters()).as(name).isFinite();
         }
     }

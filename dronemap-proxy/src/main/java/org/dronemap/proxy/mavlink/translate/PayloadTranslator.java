@@ -1,5 +1,6 @@
 package org.dronemap.proxy.mavlink.translate;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.event.DroneEvent;
@@ -14,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 /** Translates MAVLink messages about cameras, servos and sensors of a vehicle into drone events. Stateless. */
 final class PayloadTranslator {
     private static final int AUXILIARY = 1;
+    private static final int UNUSED = 65_535;
 
     private PayloadTranslator() {}
 
@@ -54,7 +56,7 @@ final class PayloadTranslator {
     static Optional<DroneEvent> outputs(ServoOutputRaw message) {
         return message.port() >= AUXILIARY
                 ? Optional.empty()
-                : Optional.of(new DroneEvent.OutputsReported(List.of(
+                : Optional.of(new DroneEvent.OutputsReported(pulses(
                         message.servo1Raw(),
                         message.servo2Raw(),
                         message.servo3Raw(),
@@ -71,5 +73,13 @@ final class PayloadTranslator {
                         message.servo14Raw(),
                         message.servo15Raw(),
                         message.servo16Raw())));
+    }
+
+    /** One that is marked as unused has none. */
+    private static List<Integer> pulses(int... micros) {
+        return Arrays.stream(micros)
+                .map(pulse -> pulse == UNUSED ? 0 : pulse)
+                .boxed()
+                .toList();
     }
 }

@@ -2,7 +2,7 @@ package org.dronemap.proxy.mavlink.translate;
 
 import java.util.Optional;
 import org.dronemap.core.drone.Attitude;
-import org.dronemap.core.drone.Battery;
+import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.drone.Gps;
 import org.dronemap.core.drone.GpsFix;
 import org.dronemap.core.drone.Home;
@@ -10,7 +10,6 @@ import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.mavlink.message.BatteryStatus;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.mavlink.message.GpsRawInt;
 import org.dronemap.mavlink.message.HomePosition;
@@ -21,8 +20,8 @@ import org.dronemap.mavlink.message.WindCov;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Decodes the fields of MAVLink telemetry into the cloud's values; what is marked unknown stays unknown, never 0. Owned
- * by the drone's lane.
+ * Decodes the fields of MAVLink telemetry into the cloud's values; what is marked unknown is unknown, never 0, nor what
+ * was known before. Stateless.
  */
 final class TelemetryDecoder {
     private static final double E7 = 1e7;
@@ -32,63 +31,18 @@ final class TelemetryDecoder {
     private static final int DEGREES_KNOWN_BELOW = 36_000;
     /** m/s; nobody flies in more. */
     private static final double STRONGEST_WIND = 60;
+    /** m/s; what moves faster is no speed. */
+    private static final double FASTEST = 10_000;
+    /** 1000 km; what is farther from sea level or home is no height. */
+    private static final long HIGHEST_MILLIMETERS = 1_000_000_000L;
 
-    private @Nullable Integer percent;
-    private @Nullable Double volts;
-    private @Nullable Double amps;
-    private boolean systemStatusHasCharge;
+    private TelemetryDecoder() {}
 
-    /** Charge, volts and amperes of the main battery. */
-    Optional<Battery> battery(SysStatus message) {
-        systemStatusHasCharge = isPercent(message.batteryRemaining());
-        if (systemStatusHasCharge) {
-            percent = message.batteryRemaining();
-        }
-        int millivolts = message.voltageBattery();
-        volts = millivolts == UNKNOWN_U16 || millivolts == 0 ? null : Double.valueOf(millivolts / 1000.0);
-        amps = message.currentBattery() == -1 ? null : Double.valueOf(message.currentBattery() / 100.0);
-        return battery();
-    }
-
-    /** What SYS_STATUS left open. */
-    Optional<Battery> battery(BatteryStatus message) {
-        if (message.id() != 0) {
-            return Optional.empty();
-        }
-        if (!systemStatusHasCharge) {
-            percent = isPercent(message.batteryRemaining()) ? (Integer) message.batteryRemaining() : null;
-        }
-        if (volts == null) {
-            int millivolts = 0;
-            for (int cell : message.voltages()) {
-                millivolts += cell == UNKNOWN_U16 ? 0 : cell;
-            }
-            volts = millivolts == 0 ? null : Double.valueOf(millivolts / 1000.0);
-        }
-        if (amps == null && message.currentBattery() != -1) {
-            amps = message.currentBattery() / 100.0;
-        }
-        return battery();
-    }
-
-    private static boolean isPercent(int value) {
-        return value >= 0 && value <= 100;
-    }
-
-    private Optional<Battery> battery() {
-        return percent == null && volts == null && amps == null
-                ? Optional.empty()
-                : Optional.of(new Battery(percent, volts, amps));
-    }
-
-    Optional<Position> position(GlobalPositionInt message) {
+    static Position position(GlobalPositionInt message) {
         Geodetic point = point(message.lat(), message.lon());
-        Double aboveHome =
-                message.relativeAlt() == Integer.MAX_VALUE ? null : Double.valueOf(message.relativeAlt() / 1000.0);
         // Without a place the estimator has no origin, and its altitude is measured from nowhere.
-        Double amsl =
-                point == null || message.alt() == Integer.MAX_VALUE ? null : Double.valueOf(message.alt() / 1000.0);
-        return Optional.of(new Position(point, amsl, aboveHome));
+        Double amsl = point == null ? null : meters(message.alt());
+        return new Position(point, amsl, meters(message.relativeAlt()));
     }
 
     /** 0, 0 is where estimators are that do not know; nobody flies there. */
@@ -98,31 +52,44 @@ final class TelemetryDecoder {
         return nowhere || offEarth ? null : new Geodetic(latitudeE7 / E7, longitudeE7 / E7);
     }
 
-    Optional<Motion> motion(VfrHud message) {
+    /** Millimetres; null for what is no height. */
+    private static @Nullable Double meters(int millimeters) {
+        return Math.abs((long) millimeters) >= HIGHEST_MILLIMETERS ? null : Double.valueOf(millimeters / 1000.0);
+    }
+
+    static Motion motion(VfrHud message) {
         Double heading = message.heading() >= 0 && message.heading() * 100 <= DEGREES_KNOWN_BELOW
                 ? Double.valueOf(message.heading() % 360)
                 : null;
-        return Optional.of(
-                new Motion(known(message.groundspeed()), known(message.airspeed()), known(message.climb()), heading));
+        return new Motion(known(message.groundspeed()), known(message.airspeed()), known(message.climb()), heading);
     }
 
     private static @Nullable Double known(float value) {
-        return Float.isFinite(value) ? Double.valueOf(value) : null;
+        return Math.abs(value) < FASTEST ? Double.valueOf(value) : null;
     }
 
-    Optional<Attitude> attitude(org.dronemap.mavlink.message.Attitude message) {
-        boolean known =
-                Float.isFinite(message.roll()) && Float.isFinite(message.pitch()) && Float.isFinite(message.yaw());
+    /** Null when it does not say how it lies. */
+    static @Nullable Attitude attitude(org.dronemap.mavlink.message.Attitude message) {
+        boolean known = isAngle(message.roll()) && isAngle(message.pitch()) && isAngle(message.yaw());
         return known
-                ? Optional.of(new Attitude(
+                ? new Attitude(
                         Math.toDegrees(message.roll()),
                         Math.toDegrees(message.pitch()),
-                        (Math.toDegrees(message.yaw()) + 360) % 360))
-                : Optional.empty();
+                        (Math.toDegrees(message.yaw()) + 360) % 360)
+                : null;
     }
 
-    Optional<Gps> gps(GpsRawInt message) {
-        GpsFix fix = switch (message.fixType()) {
+    private static boolean isAngle(float radians) {
+        return Math.abs(radians) <= 2 * Math.PI;
+    }
+
+    static Gps gps(GpsRawInt message) {
+        Double hdop = message.eph() == UNKNOWN_U16 ? null : Double.valueOf(message.eph() / 100.0);
+        return gps(message.fixType(), message.satellitesVisible(), hdop);
+    }
+
+    static Gps gps(int fixType, int satellitesVisible, @Nullable Double hdop) {
+        GpsFix fix = switch (fixType) {
             case 2 -> GpsFix.TWO_D;
             case 3, 7, 8 -> GpsFix.THREE_D;
             case 4 -> GpsFix.DGPS;
@@ -130,9 +97,19 @@ final class TelemetryDecoder {
             case 6 -> GpsFix.RTK_FIXED;
             default -> GpsFix.NONE;
         };
-        Integer satellites = message.satellitesVisible() == UNKNOWN_U8 ? null : (Integer) message.satellitesVisible();
-        Double hdop = message.eph() == UNKNOWN_U16 ? null : Double.valueOf(message.eph() / 100.0);
-        return Optional.of(new Gps(fix, satellites, hdop));
+        Integer satellites = satellitesVisible == UNKNOWN_U8 ? null : (Integer) satellitesVisible;
+        return new Gps(fix, satellites, hdop);
+    }
+
+    /** MAV_LANDED_STATE; null when it does not know. */
+    static @Nullable FlightPhase phase(int landedState) {
+        return switch (landedState) {
+            case 1 -> FlightPhase.ON_GROUND;
+            case 2 -> FlightPhase.IN_AIR;
+            case 3 -> FlightPhase.TAKING_OFF;
+            case 4 -> FlightPhase.LANDING;
+            default -> null;
+        };
     }
 
     /** ArduPilot's word: where it comes from. */
@@ -152,17 +129,17 @@ final class TelemetryDecoder {
                 : Optional.empty();
     }
 
-    /** Empty when the vehicle does not report its pre-arm checks. */
-    static Optional<Boolean> readyToArm(SysStatus message) {
+    /** Null when the vehicle does not report its pre-arm checks. */
+    static @Nullable Boolean readyToArm(SysStatus message) {
         return (message.onboardControlSensorsPresent() & PREARM_CHECK) == 0
-                ? Optional.empty()
-                : Optional.of((message.onboardControlSensorsHealth() & PREARM_CHECK) != 0);
+                ? null
+                : (Boolean) ((message.onboardControlSensorsHealth() & PREARM_CHECK) != 0);
     }
 
-    static Optional<Home> home(HomePosition message) {
+    /** Null when the vehicle says that it has none. */
+    static @Nullable Home home(HomePosition message) {
         Geodetic point = point(message.latitude(), message.longitude());
-        return point == null || message.altitude() == Integer.MAX_VALUE
-                ? Optional.empty()
-                : Optional.of(new Home(point, message.altitude() / 1000.0));
+        Double altitude = meters(message.altitude());
+        return point == null || altitude == null ? null : new Home(point, altitude);
     }
 }

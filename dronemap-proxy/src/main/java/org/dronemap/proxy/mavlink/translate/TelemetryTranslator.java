@@ -2,8 +2,11 @@ package org.dronemap.proxy.mavlink.translate;
 
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.dronemap.core.drone.Battery;
 import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.Home;
 import org.dronemap.core.drone.MissionPhase;
+import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.mavlink.Frame;
@@ -12,6 +15,8 @@ import org.dronemap.mavlink.message.BatteryStatus;
 import org.dronemap.mavlink.message.ExtendedSysState;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.HighLatency;
+import org.dronemap.mavlink.message.HighLatency2;
 import org.dronemap.mavlink.message.HomePosition;
 import org.dronemap.mavlink.message.MissionCurrent;
 import org.dronemap.mavlink.message.MissionItemReached;
@@ -28,10 +33,13 @@ import org.jspecify.annotations.Nullable;
  * Owned by the drone's lane.
  */
 public final class TelemetryTranslator {
+    private static final int UNKNOWN_U16 = 65_535;
+
     private final AutopilotAdapter autopilot;
     private final VehicleStatus status;
     private final Consumer<DroneEvent> out;
-    private final TelemetryDecoder readings = new TelemetryDecoder();
+    private final BatteryReader batteries = new BatteryReader();
+    private final HighLatencyTranslator summaries;
     private final StatustextJoiner texts;
     private boolean phasePublished;
 
@@ -39,6 +47,7 @@ public final class TelemetryTranslator {
         this.autopilot = autopilot;
         this.status = status;
         this.out = out;
+        this.summaries = new HighLatencyTranslator(autopilot, status, batteries, out);
         this.texts = new StatustextJoiner((severity, text) -> out.accept(new DroneEvent.TextReported(severity, text)));
     }
 
@@ -46,21 +55,18 @@ public final class TelemetryTranslator {
     public void received(Frame frame, long nowNanos) {
         switch (frame.messageId()) {
             case Heartbeat.ID -> heartbeat(Heartbeat.decode(frame));
-            case SysStatus.ID -> sysStatus(SysStatus.decode(frame));
-            case BatteryStatus.ID ->
-                readings.battery(BatteryStatus.decode(frame))
-                        .ifPresent(battery -> out.accept(new DroneEvent.BatteryReported(battery)));
+            case SysStatus.ID -> sysStatus(SysStatus.decode(frame), nowNanos);
+            case BatteryStatus.ID -> battery(batteries.received(BatteryStatus.decode(frame), nowNanos));
             case GlobalPositionInt.ID -> position(GlobalPositionInt.decode(frame));
             case org.dronemap.mavlink.message.GpsRawInt.ID ->
-                readings.gps(org.dronemap.mavlink.message.GpsRawInt.decode(frame))
-                        .ifPresent(gps -> out.accept(new DroneEvent.GpsReported(gps)));
+                out.accept(new DroneEvent.GpsReported(
+                        TelemetryDecoder.gps(org.dronemap.mavlink.message.GpsRawInt.decode(frame))));
             case org.dronemap.mavlink.message.Attitude.ID ->
-                readings.attitude(org.dronemap.mavlink.message.Attitude.decode(frame))
-                        .ifPresent(attitude -> out.accept(new DroneEvent.AttitudeReported(attitude)));
-            case VfrHud.ID ->
-                readings.motion(VfrHud.decode(frame))
-                        .ifPresent(motion -> out.accept(new DroneEvent.MotionReported(motion)));
+                out.accept(new DroneEvent.AttitudeReported(
+                        TelemetryDecoder.attitude(org.dronemap.mavlink.message.Attitude.decode(frame))));
+            case VfrHud.ID -> out.accept(new DroneEvent.MotionReported(TelemetryDecoder.motion(VfrHud.decode(frame))));
             case Statustext.ID -> texts.received(frame, nowNanos);
+            case HighLatency.ID, HighLatency2.ID -> summaries.received(frame, nowNanos);
             default -> rare(frame);
         }
     }
@@ -119,49 +125,54 @@ public final class TelemetryTranslator {
     }
 
     private void landedState(ExtendedSysState state) {
-        FlightPhase phase = switch (state.landedState()) {
-            case 1 -> FlightPhase.ON_GROUND;
-            case 2 -> FlightPhase.IN_AIR;
-            case 3 -> FlightPhase.TAKING_OFF;
-            case 4 -> FlightPhase.LANDING;
-            default -> null;
-        };
-        if (phase != null) {
-            phasePublished = true;
+        FlightPhase phase = TelemetryDecoder.phase(state.landedState());
+        if (phase == null && phasePublished) {
+            status.phase(null);
+            out.accept(new DroneEvent.PhaseReported(null));
         }
+        phasePublished = phase != null;
         phase(phase);
     }
 
     private void phase(@Nullable FlightPhase phase) {
-        if (phase != null && phase != status.phase()) {
+        if (phase != null) {
             status.phase(phase);
             out.accept(new DroneEvent.PhaseReported(phase));
         }
     }
 
-    private void sysStatus(SysStatus message) {
-        readings.battery(message).ifPresent(battery -> out.accept(new DroneEvent.BatteryReported(battery)));
-        TelemetryDecoder.readyToArm(message).ifPresent(ready -> out.accept(new DroneEvent.ReadinessReported(ready)));
+    private void sysStatus(SysStatus message, long nowNanos) {
+        battery(batteries.received(message, nowNanos));
+        out.accept(new DroneEvent.ReadinessReported(TelemetryDecoder.readyToArm(message)));
+    }
+
+    private void battery(Optional<Battery> known) {
+        known.ifPresent(battery -> out.accept(new DroneEvent.BatteryReported(battery)));
     }
 
     private void position(GlobalPositionInt message) {
-        readings.position(message).ifPresent(position -> {
-            status.position(position);
-            out.accept(new DroneEvent.PositionReported(position));
-        });
+        Position position = TelemetryDecoder.position(message);
+        status.position(position);
+        out.accept(new DroneEvent.PositionReported(position));
     }
 
     private void home(HomePosition message) {
-        TelemetryDecoder.home(message).ifPresent(home -> {
+        Home home = TelemetryDecoder.home(message);
+        if (home == null) {
+            status.homeUnknown();
+        } else {
             status.home(message.latitude(), message.longitude(), home.altitudeAmslMeters());
-            out.accept(new DroneEvent.HomeReported(home));
-        });
+        }
+        out.accept(new DroneEvent.HomeReported(home));
     }
 
     private void missionCurrent(MissionCurrent message) {
-        status.current(message.seq());
+        boolean known = message.seq() != UNKNOWN_U16;
+        if (known) {
+            status.current(message.seq());
+        }
         int index = message.seq() - autopilot.itemsBeforeMission();
-        Integer heading = index < 0 || status.hasNoMission() ? null : (Integer) index;
+        Integer heading = !known || index < 0 || status.hasNoMission() ? null : (Integer) index;
         out.accept(new DroneEvent.MissionCurrentReported(heading, phase(message.missionState())));
     }
 
@@ -177,6 +188,9 @@ public final class TelemetryTranslator {
     }
 
     private void reached(MissionItemReached message) {
+        if (message.seq() == UNKNOWN_U16) {
+            return;
+        }
         status.reached(message.seq());
         int index = message.seq() - autopilot.itemsBeforeMission();
         if (index >= 0) {

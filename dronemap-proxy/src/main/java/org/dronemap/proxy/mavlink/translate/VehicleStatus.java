@@ -130,7 +130,7 @@ public final class VehicleStatus {
         version = heard;
     }
 
-    void phase(FlightPhase heard) {
+    void phase(@Nullable FlightPhase heard) {
         phase = heard;
     }
 
@@ -150,6 +150,13 @@ public final class VehicleStatus {
         homeLatitudeE7 = latitudeE7;
         homeLongitudeE7 = longitudeE7;
         homeAltitudeAmslMeters = altitudeMeters;
+    }
+
+    /** It says that it has none. */
+    void homeUnknown() {
+        homeLatitudeE7 = 0;
+        homeLongitudeE7 = 0;
+        homeAltitudeAmslMeters = null;
     }
 
     void current(int seq) {
