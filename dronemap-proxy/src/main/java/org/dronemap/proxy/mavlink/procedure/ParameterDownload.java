@@ -2,8 +2,11 @@ package org.dronemap.proxy.mavlink.procedure;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.SortedMap;
+import java.util.SortedSet;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.parameter.Parameter;
 import org.dronemap.mavlink.Frame;
@@ -12,16 +15,24 @@ import org.dronemap.mavlink.message.ParamRequestRead;
 import org.dronemap.mavlink.message.ParamValue;
 import org.jspecify.annotations.Nullable;
 
-/** Downloads all parameters of a vehicle: requests the list, then each one that is missing. */
+/**
+ * Downloads all parameters of a vehicle: requests the list, then each one that is missing. What a vehicle that is heard
+ * does not tell is left out, and named.
+ */
 public final class ParameterDownload implements Exchange {
     static final int MOST_PARAMETERS = 10_000;
     private static final long IDLE_NANOS = 1_000_000_000L;
     private static final int IN_FLIGHT = 16;
+    /** A vehicle that is heard and tells none of those that are missing for so long does not tell them. */
+    private static final long NOTHING_NEW_NANOS = 20_000_000_000L;
+
+    private static final int MOST_NAMED = 3;
 
     private final MavlinkTarget target;
     private final ParameterCodec codec;
     private final ExchangeObserver observer;
     private final SortedMap<Integer, Parameter> byIndex = new TreeMap<>();
+    private final SortedSet<Integer> untold = new TreeSet<>();
     private RequestWindow<Integer> gaps;
     private RetrySchedule pace = new RetrySchedule(0, 0, 0);
     private int count = -1;
@@ -40,6 +51,33 @@ public final class ParameterDownload implements Exchange {
     /** What was read, in the order of the vehicle. */
     public List<Parameter> parameters() {
         return List.copyOf(byIndex.values());
+    }
+
+    /** Which ones the vehicle did not tell, as a sentence; empty when it told all. */
+    public Optional<String> incomplete() {
+        List<Integer> missing = missing();
+        if (count < 0 || missing.isEmpty()) {
+            return Optional.empty();
+        }
+        List<String> named = missing.stream()
+                .limit(MOST_NAMED)
+                .map(index -> index + place(index))
+                .toList();
+        int more = missing.size() - named.size();
+        return Optional.of(byIndex.size() + " of " + count
+                + " parameters were read and can be used. The vehicle did not tell number " + String.join(", ", named)
+                + (more > 0 ? " and " + more + " more" : "") + ", counted from 0, though it was asked for "
+                + (missing.size() == 1 ? "it" : "them") + " again and again.");
+    }
+
+    /** Between which names it would stand: its own is not known. */
+    private String place(int index) {
+        Parameter before = byIndex.get(index - 1);
+        Parameter after = byIndex.get(index + 1);
+        if (before != null) {
+            return " (after " + before.name() + ")";
+        }
+        return after == null ? "" : " (before " + after.name() + ")";
     }
 
     @Override
@@ -85,8 +123,10 @@ public final class ParameterDownload implements Exchange {
         if (message.paramCount() != count) {
             count = message.paramCount();
             byIndex.tailMap(count).clear();
+            untold.tailSet(count).clear();
         }
         gaps.answered(index);
+        untold.remove(index);
         if (byIndex.put(index, codec.decode(message)) == null) {
             patience.progressed(nowNanos);
             observer.progress(byIndex.size(), count);
@@ -111,6 +151,21 @@ public final class ParameterDownload implements Exchange {
                 gaps.add(missing());
             }
             gaps.sendDue(nowNanos, patience.isAudible(nowNanos));
+            if (patience.isAudible(nowNanos)) {
+                giveUpUntold(nowNanos);
+            }
+        }
+    }
+
+    /** As long as at least half is there: with less it is no list. */
+    private void giveUpUntold(long nowNanos) {
+        for (int index : gaps.askedInVain(TransferTimeout.TRIES + 1)) {
+            gaps.answered(index);
+            untold.add(index);
+        }
+        boolean allAsked = untold.size() + byIndex.size() == count;
+        if ((allAsked || patience.sinceNewsNanos(nowNanos) >= NOTHING_NEW_NANOS) && 2 * byIndex.size() >= count) {
+            outcome = new Outcome.Succeeded();
         }
     }
 
@@ -127,7 +182,7 @@ public final class ParameterDownload implements Exchange {
     private List<Integer> missing() {
         List<Integer> missing = new ArrayList<>();
         for (int index = 0; index < count; index++) {
-            if (!byIndex.containsKey(index)) {
+            if (!byIndex.containsKey(index) && (outcome != null || !untold.contains(index))) {
                 missing.add(index);
             }
         }

@@ -56,6 +56,10 @@ public final class ParameterUpdateExchange implements Exchange {
         int next = wanted.value().applyAsInt(now);
         if (next == now) {
             outcome = new Outcome.Succeeded();
+        } else if (decode(encode(next)) != next) {
+            outcome = new Outcome.Failed(wanted.name() + " cannot be set to " + next
+                    + ": on the way to this vehicle it would become " + decode(encode(next)) + ". The vehicle holds "
+                    + now + "; nothing was changed.");
         } else if (!setting) {
             setting = true;
             value = next;

@@ -180,7 +180,12 @@ public final class ParameterWrite implements Exchange {
 
     private void enterNextPhase(long nowNanos) {
         switch (phase) {
-            case LEARN -> enter(Phase.SET, List.copyOf(wanted.keySet()), this::set, nowNanos);
+            case LEARN -> {
+                outcome = unfit();
+                if (outcome == null) {
+                    enter(Phase.SET, List.copyOf(wanted.keySet()), this::set, nowNanos);
+                }
+            }
             case SET -> enter(Phase.SETTLE, List.of(), name -> {}, nowNanos);
             case SETTLE -> {
                 // So long an echo of the writing may still be under way; it must not pass for a reading.
@@ -192,6 +197,25 @@ public final class ParameterWrite implements Exchange {
             }
             case CHECK -> conclude(nowNanos);
         }
+    }
+
+    /** What would come out as another whole number on the wire is not sent; null when all can be. */
+    private @Nullable Outcome unfit() {
+        for (ParameterValue value : wanted.values()) {
+            Parameter now = held.get(value.name());
+            if (now == null || now.type().decimal()) {
+                continue;
+            }
+            double meant = now.type().held(value.value());
+            double told = codec.afterWire(now.type(), meant);
+            if (told != meant) {
+                return new Outcome.Failed(now.withValue(meant).name() + " cannot be set to "
+                        + now.withValue(meant).text() + ": on the way to this vehicle it would become "
+                        + now.withValue(told).text() + ". The vehicle holds " + now.name() + " = " + now.text()
+                        + "; nothing was changed.");
+            }
+        }
+        return null;
     }
 
     private void conclude(long nowNanos) {

@@ -26,6 +26,7 @@ final class TransferExchanges {
                 ExchangeSequence.Step.of(() -> listing),
                 ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> {
                     cockpit.news().accept(new DroneEvent.LogsRead(listing.logs()));
+                    listing.incomplete().ifPresent(cockpit.warning());
                     return new Outcome.Succeeded();
                 }))));
     }
@@ -37,7 +38,9 @@ final class TransferExchanges {
                 ExchangeSequence.Step.of(() -> listing),
                 ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> {
                     cockpit.parameters().read(listing.parameters());
-                    return new Outcome.Succeeded();
+                    return listing.incomplete()
+                            .<Outcome>map(Outcome.Failed::new)
+                            .orElseGet(Outcome.Succeeded::new);
                 }))));
     }
 

@@ -2,10 +2,13 @@ package org.dronemap.proxy.mavlink.procedure;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import java.util.Random;
+import java.util.function.IntPredicate;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.VehicleLogSink;
 import org.dronemap.core.drone.VehicleLog;
+import org.dronemap.mavlink.message.LogEntry;
 import org.dronemap.mavlink.message.LogRequestData;
 import org.dronemap.mavlink.message.LogRequestEnd;
 import org.dronemap.mavlink.message.LogRequestList;
@@ -39,6 +42,54 @@ class LogTransferTest {
         assertThat(listing.logs()).hasSize(counting.count);
         assertThat(listing.logs().get(counting.count - 1).number()).isEqualTo(last);
         assertThat(counting.dead).isFalse();
+    }
+
+    /** {@code counted}: how many the vehicle says that it has. */
+    private LogListDownload listOf(int counted, int lastNumber, IntPredicate there) {
+        wire.chatter(true);
+        wire.peer((w, message) -> {
+            if (message instanceof LogRequestList list) {
+                for (int id = list.start(); id <= Math.min(list.end(), lastNumber); id++) {
+                    if (there.test(id)) {
+                        w.answer(new LogEntry(id, counted, lastNumber, 0, 100));
+                    }
+                }
+            }
+        });
+        return new LogListDownload(wire.target(), ExchangeObserver.NONE);
+    }
+
+    private List<Integer> numbers(LogListDownload listing) {
+        listing.start(wire.now());
+        assertThat(wire.run(listing, 14)).isEqualTo(DONE);
+        return listing.logs().stream().map(VehicleLog::number).toList();
+    }
+
+    @Test
+    void deletedOnesAreNotWaitedFor() {
+        LogListDownload listing = listOf(12, 31, id -> id >= 20 && id != 22 && id != 23 && id != 27);
+
+        assertThat(numbers(listing)).containsExactly(20, 21, 24, 25, 26, 28, 29, 30, 31);
+        assertThat(listing.incomplete())
+                .contains("The vehicle says that it keeps 12 logs and lists 9 of them; it does not list number 22, 23,"
+                        + " 27, which may have been deleted.");
+    }
+
+    @Test
+    void theLastOneMayBeDeletedToo() {
+        LogListDownload listing = listOf(5, 9, id -> id >= 5 && id < 9);
+
+        assertThat(numbers(listing)).containsExactly(5, 6, 7, 8);
+        assertThat(listing.incomplete()).get().asString().contains("number 9");
+    }
+
+    @Test
+    void aCountWithoutTheDeletedOnesIsRightAsWell() {
+        wire.fault(MessageFault.LOST, 1);
+        LogListDownload listing = listOf(4, 9, id -> id == 4 || id == 5 || id == 8 || id == 9);
+
+        assertThat(numbers(listing)).containsExactly(4, 5, 8, 9);
+        assertThat(listing.incomplete()).isEmpty();
     }
 
     @Test

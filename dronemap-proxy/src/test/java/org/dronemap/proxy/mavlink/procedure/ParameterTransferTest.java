@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.IntPredicate;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.parameter.Parameter;
 import org.dronemap.core.parameter.ParameterType;
@@ -13,8 +14,10 @@ import org.dronemap.core.parameter.ParameterValue;
 import org.dronemap.mavlink.message.ParamRequestList;
 import org.dronemap.mavlink.message.ParamRequestRead;
 import org.dronemap.mavlink.message.ParamSet;
+import org.dronemap.mavlink.message.ParamValue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class ParameterTransferTest {
@@ -148,8 +151,87 @@ class ParameterTransferTest {
         vehicle.held.put("BIG", new Parameter("BIG", ParameterType.INT32, 0));
         vehicle.held.put("TENTH", new Parameter("TENTH", ParameterType.REAL32, 0));
 
-        assertThat(wire.runWhole(writing(vehicle, List.of(to("BIG", 16_777_217), to("TENTH", 0.1)))))
+        assertThat(wire.runWhole(writing(vehicle, List.of(to("BIG", 16_777_216), to("TENTH", 0.1)))))
                 .isEqualTo(DONE);
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "false, INT32, 16777217, 16777216",
+        "false, UINT32, 4294967295, 4294967296",
+        "true, UINT8, 300, 44",
+        "true, INT64, 4294967297, 1"
+    })
+    void sendsNoWholeNumberThatWouldArriveAsAnother(boolean bytewise, ParameterType type, double wanted, String told) {
+        ParameterVehicle vehicle = new ParameterVehicle(bytewise);
+        vehicle.held.put("BITS", new Parameter("BITS", type, 33));
+        vehicle.held.put("OTHER", new Parameter("OTHER", ParameterType.REAL32, 1));
+
+        assertThat(wire.runWhole(writing(vehicle, List.of(to("OTHER", 2), to("BITS", wanted)))))
+                .isEqualTo(new Outcome.Failed("BITS cannot be set to " + (long) wanted
+                        + ": on the way to this vehicle it would become " + told
+                        + ". The vehicle holds BITS = 33; nothing was changed."));
+        assertThat(wire.sent(ParamSet.class)).isEmpty();
+    }
+
+    @Test
+    void sendsNoBitsThatWouldArriveAsOthers() {
+        ParameterVehicle vehicle = new ParameterVehicle(false);
+        vehicle.held.put("BITS", new Parameter("BITS", ParameterType.INT32, 1 << 28));
+        wire.peer(vehicle::take);
+
+        assertThat(wire.runWhole(new ParameterUpdateExchange(
+                        wire.target(), new ParameterUpdateExchange.Wanted("BITS", now -> now | 1, false))))
+                .isEqualTo(new Outcome.Failed("BITS cannot be set to 268435457: on the way to this vehicle it would"
+                        + " become 268435456. The vehicle holds 268435456; nothing was changed."));
+        assertThat(wire.sent(ParamSet.class)).isEmpty();
+    }
+
+    private ParameterDownload withHoles(int count, IntPredicate hole) {
+        ParameterVehicle vehicle = ParameterVehicle.with(count, false);
+        List<Parameter> all = List.copyOf(vehicle.held.values());
+        wire.chatter(true);
+        wire.peer((w, message) -> {
+            for (int index = 0; index < count; index++) {
+                boolean asked = message instanceof ParamRequestList
+                        || (message instanceof ParamRequestRead read && read.paramIndex() == index);
+                if (asked && !hole.test(index)) {
+                    Parameter one = all.get(index);
+                    w.answer(new ParamValue(
+                            one.name(), (float) one.value(), ParameterCodec.number(one.type()), count, index));
+                }
+            }
+        });
+        return new ParameterDownload(wire.target(), new ParameterCodec(false), ExchangeObserver.NONE);
+    }
+
+    @Test
+    void oneThatIsNeverToldLeavesTheOthersUsable() {
+        ParameterDownload listing = withHoles(60, index -> index == 17);
+        listing.start(wire.now());
+
+        assertThat(wire.run(listing, 20)).isEqualTo(DONE);
+        assertThat(listing.parameters()).hasSize(59);
+        assertThat(listing.incomplete())
+                .contains("59 of 60 parameters were read and can be used. The vehicle did not tell number 17 (after"
+                        + " P_16), counted from 0, though it was asked for it again and again.");
+    }
+
+    @Test
+    void manyThatAreNeverToldDoNotHoldUpTheOthers() {
+        ParameterDownload listing = withHoles(200, index -> index % 4 == 0);
+        listing.start(wire.now());
+
+        assertThat(wire.run(listing, 40)).isEqualTo(DONE);
+        assertThat(listing.parameters()).hasSize(150);
+        assertThat(listing.incomplete()).get().asString().contains("150 of 200", "number 0 (before P_1), 4", "47 more");
+    }
+
+    @Test
+    void lessThanHalfIsNoList() {
+        ParameterDownload listing = withHoles(60, index -> index > 20);
+
+        assertThat(wire.runWhole(listing)).isInstanceOf(Outcome.TimedOut.class);
     }
 
     @ParameterizedTest
