@@ -20,6 +20,7 @@ final class RecordedScenario {
     private static final String PLANE_READY_SECONDS = "36.5";
     /** The first heartbeat of its first mode comes a few milliseconds before it says that it is ready. */
     private static final long FIRST_BEAT_MILLIS = 10;
+
     private static final String NEVER_SECONDS = "600";
 
     private final List<RecordedLine> lines;

@@ -15,11 +15,6 @@ public interface MissionLegs {
     /** {@code yaw} in radians is where a condition item had it look; NaN: nowhere in particular. */
     Manoeuvre legFor(SimulatedMissionItem item, SimulatedCraft craft, double yaw);
 
-    /** It can fly that item; others are passed over. */
-    default boolean flies(SimulatedMissionItem item) {
-        return item.isFlown();
-    }
-
     /** How long it stays with an item that it has come to. */
     long holdMillis(SimulatedMissionItem item);
 

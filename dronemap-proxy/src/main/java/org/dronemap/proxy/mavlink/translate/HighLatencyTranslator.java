@@ -17,6 +17,7 @@ final class HighLatencyTranslator {
     private static final int UNKNOWN_U16 = 65_535;
     private static final double CENTIDEGREES = 100;
 
+    private static final int MISSION_STATE_UNKNOWN = 0;
     private final AutopilotAdapter autopilot;
     private final VehicleStatus status;
     private final BatteryReader batteries;
@@ -101,7 +102,7 @@ final class HighLatencyTranslator {
     private void waypoint(int seq, int unknown) {
         int index = seq - autopilot.itemsBeforeMission();
         if (seq != unknown) {
-            status.current(seq);
+            status.current(seq, MISSION_STATE_UNKNOWN);
         }
         Integer heading = seq == unknown || index < 0 || status.hasNoMission() ? null : (Integer) index;
         out.accept(new DroneEvent.MissionCurrentReported(heading, null));

@@ -9,6 +9,7 @@ import java.util.stream.IntStream;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.command.SetRallyPoints;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.Mission;
@@ -302,8 +303,7 @@ class MissionExchangesTest {
         bench.wire.peer(old::take);
         bench.wire.chatter(true);
 
-        assertThat(bench.perform(
-                        new Command.SetRallyPoints(List.of(new RallyPoint(new Geodetic(47.1234567, 8.7654321), 30)))))
+        assertThat(bench.perform(new SetRallyPoints(List.of(new RallyPoint(new Geodetic(47.1234567, 8.7654321), 30)))))
                 .isEqualTo(DONE);
         assertThat(old.held).hasSize(1);
     }

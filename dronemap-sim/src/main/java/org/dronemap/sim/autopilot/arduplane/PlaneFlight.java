@@ -57,7 +57,7 @@ final class PlaneFlight implements ArduPilotFlight {
         this.parameters = parameters;
         this.events = events;
         this.changer = changer;
-        this.mission = new ArduPilotMission(craft, plan, this::handle);
+        this.mission = new ArduPilotMission(plan, this::handle);
         this.landingSequence = new LandingSequence(craft, plan, mission, events);
         this.lift = lifts ? new PlaneLift(craft, parameters, cruise, events) : null;
         // As the switch of the remote control stood with each of the two that were recorded.
