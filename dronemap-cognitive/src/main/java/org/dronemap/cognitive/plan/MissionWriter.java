@@ -9,7 +9,9 @@ import org.dronemap.cognitive.problem.Place;
 import org.dronemap.cognitive.problem.Task;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.LandingPlace;
 import org.dronemap.core.mission.Mission;
+import org.dronemap.core.mission.MissionAbilities;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.mission.WaypointTask;
 
@@ -19,7 +21,8 @@ public final class MissionWriter {
     private static final double LONGEST_HOLD_SECONDS = 3_600;
 
     private final Craft craft;
-    private final boolean landsAnywhere;
+    private final VehicleKind kind;
+    private final MissionAbilities takes;
 
     private final Function<String, Task> tasks;
 
@@ -27,8 +30,8 @@ public final class MissionWriter {
     public MissionWriter(Craft craft, VehicleKind kind, Function<String, Task> tasks) {
         this.craft = craft;
         this.tasks = tasks;
-        // An aeroplane needs its own way of coming down.
-        this.landsAnywhere = kind != VehicleKind.FIXED_WING;
+        this.kind = kind;
+        this.takes = PlannedItems.of(kind);
     }
 
     /**
@@ -36,14 +39,20 @@ public final class MissionWriter {
      *
      * @param arrivals for each stop of the tour the number of the item, from 0, that is behind the drone when it is done
      * @param tasks which items do what of the waypoints' tasks
+     * @param left what of them its drone cannot do in a mission, and so is left out alone
      */
-    public record WrittenMission(List<MissionItem> items, List<Integer> arrivals, List<TaskItem> tasks) {
+    public record WrittenMission(
+            List<MissionItem> items, List<Integer> arrivals, List<TaskItem> tasks, List<LeftTask> left) {
         public WrittenMission {
             tasks = List.copyOf(tasks);
             items = List.copyOf(items);
             arrivals = List.copyOf(arrivals);
+            left = List.copyOf(left);
         }
     }
+
+    /** What is not done at a waypoint, and why, as a sentence. */
+    public record LeftTask(String waypoint, String reason) {}
 
     /** Why no drone can carry it, as a sentence. */
     public Optional<String> fault(Tour tour) {
@@ -66,6 +75,7 @@ public final class MissionWriter {
         List<MissionItem> items = new ArrayList<>();
         List<Integer> arrivals = new ArrayList<>();
         List<TaskItem> done = new ArrayList<>();
+        List<LeftTask> left = new ArrayList<>();
         List<TourLeg> ways = tour.ways();
         for (int number = 0; number < ways.size(); number++) {
             boolean last = number == ways.size() - 1;
@@ -75,16 +85,59 @@ public final class MissionWriter {
             for (int i = begin; i < end; i++) {
                 boolean arrives = !last && i == fixes.size() - 1;
                 boolean stays = arrives && parts(tour, number).isEmpty();
-                items.add(waypoint(fixes.get(i).place(), stays ? hold(tour, number) : 0));
+                stay(items, fixes.get(i).place(), stays ? hold(tour, number) : 0);
             }
             if (!last) {
+                left.addAll(left(tour, number));
                 arrivals.add(arrive(items, done, tour, number));
             }
         }
         if (craft.lands()) {
-            items.add(landsAnywhere ? new MissionItem.Land() : new MissionItem.ReturnToLaunch());
+            List<TimedPlace> home = tour.last().fixes();
+            landing(home.get(home.size() - 1).place()).ifPresent(items::add);
         }
-        return new WrittenMission(items, arrivals, done);
+        return new WrittenMission(items, arrivals, done, left);
+    }
+
+    /** At a waypoint, for a time that is exact where the vehicle can wait so. */
+    private void stay(List<MissionItem> items, Place place, double seconds) {
+        boolean waits = !takes.takesHold(seconds);
+        items.add(waypoint(place, waits ? 0 : seconds));
+        if (waits && takes.takes(MissionItem.Kind.WAIT)) {
+            items.add(new MissionItem.Wait(seconds));
+        }
+    }
+
+    /** Nothing for what drives: it is there already. */
+    private Optional<MissionItem> landing(Place ground) {
+        if (kind == VehicleKind.FIXED_WING) {
+            return Optional.of(new MissionItem.ReturnToLaunch());
+        }
+        if (!takes.takes(MissionItem.Kind.LAND)) {
+            return Optional.empty();
+        }
+        return Optional.of(
+                takes.landing() == MissionAbilities.Landing.AT_PLACE
+                        ? new MissionItem.Land(new LandingPlace(
+                                ground.point(), new Altitude(ground.altitudeAmslMeters(), Altitude.Reference.AMSL)))
+                        : new MissionItem.Land());
+    }
+
+    /** Of the task there what takes a vehicle that waits, where it does not; a photo is taken on the way past. */
+    private List<LeftTask> left(Tour tour, int stop) {
+        if (takes.takes(MissionItem.Kind.WAIT)) {
+            return List.of();
+        }
+        String waypoint = tour.stops().get(stop).waypoint();
+        boolean stays = !tasks.apply(waypoint).parts().isEmpty()
+                ? parts(tour, stop).stream().anyMatch(WaypointTask.Sensors.class::isInstance)
+                : hold(tour, stop) >= 1;
+        return stays
+                ? List.of(new LeftTask(
+                        waypoint,
+                        "The drone " + craft.id() + " does not wait at the waypoint " + waypoint
+                                + ": a vehicle of its kind flies past."))
+                : List.of();
     }
 
     private List<WaypointTask> parts(Tour tour, int stop) {
@@ -102,14 +155,19 @@ public final class MissionWriter {
         for (int part = 0; part < parts.size(); part++) {
             WaypointTask task = parts.get(part);
             looks |= task instanceof WaypointTask.Look;
-            order(task).ifPresent(items::add);
+            Optional<MissionItem> order = order(task);
+            order.ifPresent(items::add);
             boolean last = part == parts.size() - 1;
             double seconds = last ? Math.max(rest, task.seconds()) : task.seconds();
             rest -= seconds;
-            items.add(new MissionItem.Wait(seconds));
-            boolean sensors = task instanceof WaypointTask.Sensors;
-            int item = sensors ? items.size() - 1 : items.size() - 2;
-            done.add(new TaskItem(item, tour.stops().get(stop).waypoint(), part));
+            int item = order.isPresent() ? items.size() - 1 : items.size();
+            boolean waits = takes.takes(MissionItem.Kind.WAIT);
+            if (waits) {
+                items.add(new MissionItem.Wait(seconds));
+            }
+            if (waits || order.isPresent()) {
+                done.add(new TaskItem(item, tour.stops().get(stop).waypoint(), part));
+            }
         }
         int arrival = items.size() - 1;
         if (looks) {
