@@ -11,6 +11,7 @@ import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.LandingPlace;
 import org.dronemap.core.mission.Mission;
+import org.dronemap.core.mission.MissionAbilities;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.mission.WaypointTask;
 
@@ -23,8 +24,7 @@ public final class MissionWriter {
 
     private final Craft craft;
     private final VehicleKind kind;
-    /** A wing has to move on. */
-    private final boolean stands;
+    private final MissionAbilities takes;
 
     private final Function<String, Task> tasks;
 
@@ -33,7 +33,7 @@ public final class MissionWriter {
         this.craft = craft;
         this.tasks = tasks;
         this.kind = kind;
-        this.stands = kind != VehicleKind.FIXED_WING && kind != VehicleKind.VTOL;
+        this.takes = PlannedItems.of(kind);
     }
 
     /**
@@ -41,14 +41,20 @@ public final class MissionWriter {
      *
      * @param arrivals for each stop of the tour the number of the item, from 0, that is behind the drone when it is done
      * @param tasks which items do what of the waypoints' tasks
+     * @param left what of them its drone cannot do in a mission, and so is left out alone
      */
-    public record WrittenMission(List<MissionItem> items, List<Integer> arrivals, List<TaskItem> tasks) {
+    public record WrittenMission(
+            List<MissionItem> items, List<Integer> arrivals, List<TaskItem> tasks, List<LeftTask> left) {
         public WrittenMission {
             tasks = List.copyOf(tasks);
             items = List.copyOf(items);
             arrivals = List.copyOf(arrivals);
+            left = List.copyOf(left);
         }
     }
+
+    /** What is not done at a waypoint, and why, as a sentence. */
+    public record LeftTask(String waypoint, String reason) {}
 
     /** Why no drone can carry it, as a sentence. */
     public Optional<String> fault(Tour tour) {
@@ -71,6 +77,7 @@ public final class MissionWriter {
         List<MissionItem> items = new ArrayList<>();
         List<Integer> arrivals = new ArrayList<>();
         List<TaskItem> done = new ArrayList<>();
+        List<LeftTask> left = new ArrayList<>();
         List<TourLeg> ways = tour.ways();
         for (int number = 0; number < ways.size(); number++) {
             boolean last = number == ways.size() - 1;
@@ -80,28 +87,59 @@ public final class MissionWriter {
             for (int i = begin; i < end; i++) {
                 boolean arrives = !last && i == fixes.size() - 1;
                 boolean stays = arrives && parts(tour, number).isEmpty();
-                items.add(waypoint(fixes.get(i).place(), stays ? hold(tour, number) : 0));
+                stay(items, fixes.get(i).place(), stays ? hold(tour, number) : 0);
             }
             if (!last) {
+                left.addAll(left(tour, number));
                 arrivals.add(arrive(items, done, tour, number));
             }
         }
         if (craft.lands()) {
-            items.add(landing());
+            List<TimedPlace> home = tour.last().fixes();
+            landing(home.get(home.size() - 1).place()).ifPresent(items::add);
         }
-        return new WrittenMission(items, arrivals, done);
+        return new WrittenMission(items, arrivals, done, left);
     }
 
-    /** An aeroplane needs its own way of coming down, and one that flies on wings before a place to come down at. */
-    private MissionItem landing() {
-        Place end = craft.finish().place();
-        return switch (kind) {
-            case FIXED_WING -> new MissionItem.ReturnToLaunch();
-            case VTOL ->
-                new MissionItem.Land(
-                        new LandingPlace(end.point(), new Altitude(end.altitudeAmslMeters(), Altitude.Reference.AMSL)));
-            default -> new MissionItem.Land();
-        };
+    /** At a waypoint, for a time that is exact where the vehicle can wait so. */
+    private void stay(List<MissionItem> items, Place place, double seconds) {
+        boolean waits = !takes.takesHold(seconds);
+        items.add(waypoint(place, waits ? 0 : seconds));
+        if (waits && takes.takes(MissionItem.Kind.WAIT)) {
+            items.add(new MissionItem.Wait(seconds));
+        }
+    }
+
+    /** Nothing for what drives: it is there already. */
+    private Optional<MissionItem> landing(Place ground) {
+        if (kind == VehicleKind.FIXED_WING) {
+            return Optional.of(new MissionItem.ReturnToLaunch());
+        }
+        if (!takes.takes(MissionItem.Kind.LAND)) {
+            return Optional.empty();
+        }
+        return Optional.of(
+                takes.landing() == MissionAbilities.Landing.AT_PLACE
+                        ? new MissionItem.Land(new LandingPlace(
+                                ground.point(), new Altitude(ground.altitudeAmslMeters(), Altitude.Reference.AMSL)))
+                        : new MissionItem.Land());
+    }
+
+    /** Of the task there what takes a vehicle that waits, where it does not; a photo is taken on the way past. */
+    private List<LeftTask> left(Tour tour, int stop) {
+        if (takes.takes(MissionItem.Kind.WAIT)) {
+            return List.of();
+        }
+        String waypoint = tour.stops().get(stop).waypoint();
+        boolean stays = !tasks.apply(waypoint).parts().isEmpty()
+                ? parts(tour, stop).stream().anyMatch(WaypointTask.Sensors.class::isInstance)
+                : hold(tour, stop) >= 1;
+        return stays
+                ? List.of(new LeftTask(
+                        waypoint,
+                        "The drone " + craft.id() + " does not wait at the waypoint " + waypoint
+                                + ": a vehicle of its kind flies past."))
+                : List.of();
     }
 
     private List<WaypointTask> parts(Tour tour, int stop) {
@@ -119,17 +157,19 @@ public final class MissionWriter {
         for (int part = 0; part < parts.size(); part++) {
             WaypointTask task = parts.get(part);
             looks |= task instanceof WaypointTask.Look;
-            order(task).ifPresent(items::add);
+            Optional<MissionItem> order = order(task);
+            order.ifPresent(items::add);
             boolean last = part == parts.size() - 1;
             double seconds = last ? Math.max(rest, task.seconds()) : task.seconds();
             rest -= seconds;
-            boolean sensors = task instanceof WaypointTask.Sensors;
-            boolean waits = stands || sensors || seconds > task.seconds();
+            int item = order.isPresent() ? items.size() - 1 : items.size();
+            boolean waits = takes.takes(MissionItem.Kind.WAIT);
             if (waits) {
                 items.add(new MissionItem.Wait(seconds));
             }
-            int item = sensors || !waits ? items.size() - 1 : items.size() - 2;
-            done.add(new TaskItem(item, tour.stops().get(stop).waypoint(), part));
+            if (waits || order.isPresent()) {
+                done.add(new TaskItem(item, tour.stops().get(stop).waypoint(), part));
+            }
         }
         int arrival = items.size() - 1;
         if (looks) {

@@ -44,7 +44,8 @@ final class CommandReader {
     /** What the drone needs beside what was asked. */
     static Command complete(Command asked, DroneState drone) {
         return asked instanceof Command.UploadMission upload
-                ? new Command.UploadMission(TakeOffInserter.complete(upload.mission(), drone))
+                ? new Command.UploadMission(
+                        TakeOffInserter.complete(VehicleMissionCheck.checked(upload.mission(), drone), drone))
                 : asked;
     }
 

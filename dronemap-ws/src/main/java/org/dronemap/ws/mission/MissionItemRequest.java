@@ -8,6 +8,7 @@ import jakarta.validation.constraints.Min;
 import java.util.List;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.LandingPlace;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.reading.EnumValues;
@@ -96,11 +97,26 @@ public sealed interface MissionItemRequest extends MissionItemView {
         }
     }
 
-    @Schema(name = "LandItem", description = "Land where it is.")
-    record Land() implements MissionItemRequest {
+    @Schema(name = "LandItem", description = "Land at a place, or, where the vehicle can, where it is.")
+    record Land(
+            @Schema(description = "Degrees; with longitude. Left out with it: where it is")
+            @Min(-FieldRanges.LATITUDE)
+            @Max(FieldRanges.LATITUDE)
+            @Nullable
+            Double latitude,
+
+            @Schema(description = "Degrees") @Min(-FieldRanges.LONGITUDE) @Max(FieldRanges.LONGITUDE) @Nullable
+            Double longitude,
+
+            @Schema(description = "Metres of the ground there; left out: as high as home") @Nullable
+            Double altitude,
+
+            @Schema(description = "home (the default) or amsl") @EnumValues(Altitude.Reference.class) @Nullable
+            String altitudeReference)
+            implements MissionItemRequest {
         @Override
         public MissionItem read(String at) {
-            return new MissionItem.Land();
+            return new MissionItem.Land(MissionReader.landingPlace(at, this));
         }
     }
 
@@ -184,7 +200,7 @@ public sealed interface MissionItemRequest extends MissionItemView {
             case TAKE_OFF -> new TakeOff(((MissionItem.TakeOff) item).altitudeMeters());
             case WAYPOINT -> of((MissionItem.Waypoint) item);
             case RETURN_TO_LAUNCH -> new ReturnToLaunch();
-            case LAND -> new Land();
+            case LAND -> of(((MissionItem.Land) item).place());
             case WAIT -> new Wait(((MissionItem.Wait) item).seconds());
             case TAKE_PHOTO -> new TakePhoto();
             case SET_SERVO ->
@@ -204,6 +220,16 @@ public sealed interface MissionItemRequest extends MissionItemView {
                 altitude.meters(),
                 WireNames.camel(altitude.reference()),
                 item.holdSeconds());
+    }
+
+    private static Land of(@Nullable LandingPlace place) {
+        return place == null
+                ? new Land(null, null, null, null)
+                : new Land(
+                        place.point().latitudeDegrees(),
+                        place.point().longitudeDegrees(),
+                        place.ground().meters(),
+                        WireNames.camel(place.ground().reference()));
     }
 
     private static LookAt of(MissionItem.LookAt item) {

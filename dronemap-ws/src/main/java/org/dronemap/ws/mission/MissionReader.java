@@ -3,6 +3,7 @@ package org.dronemap.ws.mission;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.LandingPlace;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.ws.problem.InvalidInput;
@@ -41,6 +42,19 @@ public final class MissionReader {
     public static MissionItem.SetServo servo(String at, @Nullable Integer output, @Nullable Integer pulse) {
         return new MissionItem.SetServo(
                 FieldRanges.output(at + "output", output), FieldRanges.pulse(at + "pulse", pulse));
+    }
+
+    /** Null where no member says one; all of it or nothing. */
+    static @Nullable LandingPlace landingPlace(String at, MissionItemRequest.Land land) {
+        boolean here = land.latitude() == null
+                && land.longitude() == null
+                && land.altitude() == null
+                && land.altitudeReference() == null;
+        return here
+                ? null
+                : new LandingPlace(
+                        FieldRanges.point(at, land.latitude(), land.longitude()),
+                        altitude(at, land.altitude() == null ? 0.0 : land.altitude(), land.altitudeReference()));
     }
 
     /** {@code at} is what stands before the field's name, such as {@code items[2].}. */

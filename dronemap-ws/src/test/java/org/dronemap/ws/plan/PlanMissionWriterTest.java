@@ -59,7 +59,7 @@ class PlanMissionWriterTest {
         assertThat(waypoint(items, 1).holdSeconds()).isEqualTo(7);
         assertThat(waypoint(items, 2).latitude()).isEqualTo(47);
         assertThat(waypoint(items, 2).holdSeconds()).isZero();
-        assertThat(items.get(3)).isEqualTo(new MissionItemRequest.Land());
+        assertThat(items.get(3)).isEqualTo(new MissionItemRequest.Land(null, null, null, null));
     }
 
     private static MissionItemRequest.Waypoint waypoint(List<MissionItemRequest> items, int index) {
@@ -89,6 +89,30 @@ class PlanMissionWriterTest {
         List<MissionItemRequest> items = missions(VehicleKind.FIXED_WING).items(plain(588, 100));
 
         assertThat(items.get(items.size() - 1)).isEqualTo(new MissionItemRequest.ReturnToLaunch());
+    }
+
+    /** A copter cuts the seconds of a waypoint to whole ones, and waits exactly by an item of its own. */
+    @Test
+    void waitAsLongAsPlannedWhereAWaypointCannotSayIt() {
+        List<MissionItemRequest> items = missions(VehicleKind.MULTICOPTER).items(plain(518, 106.5));
+
+        assertThat(waypoint(items, 1).holdSeconds()).isZero();
+        assertThat(items.get(2)).isEqualTo(new MissionItemRequest.Wait(6.5));
+    }
+
+    @Test
+    void makeNothingWaitThatFliesPastOrLandThatDrives() {
+        assertThat(missions(VehicleKind.FIXED_WING).items(plain(588, 107)))
+                .noneMatch(MissionItemRequest.Wait.class::isInstance)
+                .allMatch(item -> !(item instanceof MissionItemRequest.Waypoint waypoint)
+                        || Double.valueOf(0).equals(waypoint.holdSeconds()));
+        assertThat(missions(VehicleKind.ROVER).items(plain(518, 107)))
+                .noneMatch(MissionItemRequest.Land.class::isInstance)
+                .last()
+                .isInstanceOf(MissionItemRequest.Waypoint.class);
+        assertThat(missions(VehicleKind.VTOL).items(plain(518, 107)))
+                .last()
+                .isEqualTo(new MissionItemRequest.Land(47.0, 8.0, HOME_METERS, "amsl"));
     }
 
     @Test
