@@ -19,7 +19,9 @@ describe('status', () => {
         ],
       },
     });
-    expect(outdatedText(drone, () => 20_000)).toMatch(/^Old values: position \(20 s ago\), battery \(20 s ago\)$/u);
+    expect(outdatedText(drone, () => 20_000)).toMatch(
+      /^Old values: position \(20 s ago\), battery \(20 s ago\)$/u,
+    );
     expect(outdatedText(aDrone(), () => 0)).toBeNull();
   });
 
