@@ -295,6 +295,7 @@ def _drone(id: str, name: str, now: str) -> Json:
             "systemId": 1,
             "transport": "udp",
             "others": [],
+            "outdated": [],
             "quality": {},
         },
         "mission": {"running": False, "reached": []},

@@ -20,6 +20,7 @@ export function aDrone(change: Partial<Drone> = {}): Drone {
       lastHeard: '2026-01-01T12:00:00Z',
       quality: { lossShort: null, lossLong: null, rttMs: null },
       others: [],
+      outdated: [],
     },
     identity: { evidence: 'address', proved: false, hardwareId: null },
     kind: 'multicopter',

@@ -306,8 +306,9 @@ class DroneAttitudeView(Model):
     yaw: float
 
 
-class DroneBatteryView(Model):
+class DroneFurtherBatteryView(Model):
     amps: float | None = None
+    number: int
     percent: int | None = None
     volts: float | None = None
 
@@ -348,6 +349,14 @@ class DroneMotionView(Model):
     climb_rate: float | None = None
     ground_speed: float | None = None
     heading: float | None = None
+
+
+class DroneOutdatedView(Model):
+    last_heard: AwareDatetime
+    part: (
+        Literal["mode", "armed", "readiness", "flight", "position", "local", "motion", "attitude", "battery", "gps"]
+        | str
+    )
 
 
 class DroneOutstandingView(Model):
@@ -2844,6 +2853,16 @@ class BroadcastView(Model):
     results: list[BroadcastResult]
 
 
+class DroneBatteryView(Model):
+    amps: float | None = None
+    further: list[DroneFurtherBatteryView]
+    """
+    Batteries beside the main one
+    """
+    percent: int | None = None
+    volts: float | None = None
+
+
 class DroneCloudLossView(Model):
     action: str | None = None
     after_seconds: float | None = None
@@ -2862,6 +2881,10 @@ class DroneLinkView(Model):
     others: list[str]
     """
     Further addresses on which the same vehicle is heard
+    """
+    outdated: list[DroneOutdatedView]
+    """
+    Parts of the state that the vehicle has stopped telling though it is heard: their values are old. Empty while it is lost, when all is old
     """
     port: int
     quality: DroneQualityView

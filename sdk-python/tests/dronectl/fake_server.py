@@ -185,6 +185,7 @@ def drone(id: str = "d1", name: str = "Heron-1", **members: Any) -> Members:
         "link": {
             "address": "127.0.0.1",
             "others": [],
+            "outdated": [],
             "port": 1,
             "quality": {},
             "state": "live",

@@ -155,6 +155,8 @@ export interface components {
         DroneBatteryView: {
             /** Format: double */
             amps: number | null;
+            /** @description Batteries beside the main one */
+            further: components["schemas"]["DroneFurtherBatteryView"][];
             /** Format: int32 */
             percent: number | null;
             /** Format: double */
@@ -171,6 +173,16 @@ export interface components {
             sentence: string;
             /** @enum {string} */
             state: "set" | "notSet" | "cannotBeSet";
+        };
+        DroneFurtherBatteryView: {
+            /** Format: double */
+            amps: number | null;
+            /** Format: int32 */
+            number: number;
+            /** Format: int32 */
+            percent: number | null;
+            /** Format: double */
+            volts: number | null;
         };
         DroneGpsView: {
             /** @enum {string} */
@@ -200,6 +212,8 @@ export interface components {
             lastHeard: string | null;
             /** @description Further addresses on which the same vehicle is heard */
             others: string[];
+            /** @description Parts of the state that the vehicle has stopped telling though it is heard: their values are old. Empty while it is lost, when all is old */
+            outdated: components["schemas"]["DroneOutdatedView"][];
             /** Format: int32 */
             port: number;
             quality: components["schemas"]["DroneQualityView"];
@@ -248,6 +262,12 @@ export interface components {
             groundSpeed: number | null;
             /** Format: double */
             heading: number | null;
+        };
+        DroneOutdatedView: {
+            /** Format: date-time */
+            lastHeard: string;
+            /** @enum {string} */
+            part: "mode" | "armed" | "readiness" | "flight" | "position" | "local" | "motion" | "attitude" | "battery" | "gps";
         };
         DroneOutstandingView: {
             name: string;
@@ -3648,6 +3668,7 @@ export type DroneActionView = components['schemas']['DroneActionView'];
 export type DroneAttitudeView = components['schemas']['DroneAttitudeView'];
 export type DroneBatteryView = components['schemas']['DroneBatteryView'];
 export type DroneCloudLossView = components['schemas']['DroneCloudLossView'];
+export type DroneFurtherBatteryView = components['schemas']['DroneFurtherBatteryView'];
 export type DroneGpsView = components['schemas']['DroneGpsView'];
 export type DroneHomeView = components['schemas']['DroneHomeView'];
 export type DroneIdentityView = components['schemas']['DroneIdentityView'];
@@ -3656,6 +3677,7 @@ export type DroneLocalView = components['schemas']['DroneLocalView'];
 export type DroneMessageView = components['schemas']['DroneMessageView'];
 export type DroneMissionView = components['schemas']['DroneMissionView'];
 export type DroneMotionView = components['schemas']['DroneMotionView'];
+export type DroneOutdatedView = components['schemas']['DroneOutdatedView'];
 export type DroneOutstandingView = components['schemas']['DroneOutstandingView'];
 export type DronePositionView = components['schemas']['DronePositionView'];
 export type DroneQualityView = components['schemas']['DroneQualityView'];

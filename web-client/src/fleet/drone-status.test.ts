@@ -2,12 +2,29 @@ import { describe, expect, it } from 'vitest';
 import type { LinkState } from '../api/types';
 import { droneFeatures } from '../map/features';
 import { aDrone } from '../testing';
-import { linkStateText, statusOf } from './drone-status';
+import { linkStateText, outdatedText, statusOf } from './drone-status';
 
 const replayed = (state: LinkState) =>
   aDrone({ replay: true, armed: true, link: { ...aDrone().link, state } });
 
 describe('status', () => {
+  it('names what a drone has stopped telling though it is heard', () => {
+    const lastHeard = '2026-01-01T00:00:00Z';
+    const drone = aDrone({
+      link: {
+        ...aDrone().link,
+        outdated: [
+          { part: 'position', lastHeard },
+          { part: 'battery', lastHeard },
+        ],
+      },
+    });
+    expect(outdatedText(drone, () => 20_000)).toMatch(
+      /^Old values: position \(20 s ago\), battery \(20 s ago\)$/u,
+    );
+    expect(outdatedText(aDrone(), () => 0)).toBeNull();
+  });
+
   it('calls a replay that has ended just that, and no lost drone', () => {
     expect(statusOf(replayed('ended'))).toEqual({ word: 'Replay ended', tone: 'neutral' });
     expect(linkStateText('ended')).toBe('Ended');

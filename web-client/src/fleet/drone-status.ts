@@ -1,4 +1,7 @@
 import type { Drone, DroneKind, LinkState } from '../api/types';
+import { age } from '../ui/format';
+
+type StatePart = Drone['link']['outdated'][number]['part'];
 
 export type Tone = 'neutral' | 'green' | 'amber' | 'red';
 
@@ -74,6 +77,27 @@ const LINK_WORDS: Record<LinkState, string> = {
 /** `cut`: this page has no connection to the cloud, so that the state of the cloud's link to the drone is unknown. */
 export function linkStateText(state: LinkState, cut = false): string {
   return cut && state !== 'ended' ? 'Offline' : LINK_WORDS[state];
+}
+
+const PART_WORDS: Record<StatePart, string> = {
+  mode: 'mode',
+  armed: 'armed or not',
+  readiness: 'readiness',
+  flight: 'in the air or not',
+  position: 'position',
+  local: 'local position',
+  motion: 'speed',
+  attitude: 'attitude',
+  battery: 'battery',
+  gps: 'satellites',
+};
+
+/** What a drone has stopped telling though it is heard, and for how long; null when it tells all. */
+export function outdatedText(drone: Drone, since: (time: string) => number | null): string | null {
+  const parts = drone.link.outdated.map(
+    ({ part, lastHeard }) => `${PART_WORDS[part]} (${age(since(lastHeard))})`,
+  );
+  return parts.length === 0 ? null : `Old values: ${parts.join(', ')}`;
 }
 
 /** The session key of a vehicle as people write it: address, port and system id. */

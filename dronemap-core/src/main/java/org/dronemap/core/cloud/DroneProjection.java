@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.cloud.rule.GroundElevation;
 import org.dronemap.core.cloud.rule.MissionTracker;
+import org.dronemap.core.cloud.rule.StatePartAges;
 import org.dronemap.core.drone.Attitude;
 import org.dronemap.core.drone.Battery;
 import org.dronemap.core.drone.Capabilities;
@@ -61,6 +62,7 @@ final class DroneProjection {
     private @Nullable Instant lastHeard;
     private LinkQuality quality = LinkQuality.UNKNOWN;
     private List<DroneKey> otherKeys = List.of();
+    private final StatePartAges ages = new StatePartAges();
     private IdentityTrust standing;
     private Identification identification;
     private Capabilities capabilities = Capabilities.UNKNOWN;
@@ -173,6 +175,16 @@ final class DroneProjection {
         return true;
     }
 
+    /** True when the vehicle has stopped telling a part of its state, or tells it again: the state is new then. */
+    boolean publishAges() {
+        boolean silent = linkState == LinkState.LOST || linkState == LinkState.ENDED;
+        boolean news = ages.judge(clock.instant(), silent);
+        if (news) {
+            publish();
+        }
+        return news;
+    }
+
     void standing(IdentityTrust now) {
         standing = now;
         publish();
@@ -221,6 +233,7 @@ final class DroneProjection {
 
     void apply(DroneEvent event) {
         Instant at = clock.instant();
+        ages.apply(event, at);
         switch (event.kind()) {
             case IDENTIFIED -> identified((DroneEvent.Identified) event);
             case MODE -> mode((DroneEvent.ModeReported) event);
@@ -322,7 +335,8 @@ final class DroneProjection {
     /** What was measured before a silence says nothing about the link after it. */
     private LinkStatus link() {
         boolean lost = linkState == LinkState.LOST;
-        return new LinkStatus(key, transport, linkState, lastHeard, lost ? LinkQuality.UNKNOWN : quality, otherKeys);
+        return new LinkStatus(
+                key, transport, linkState, lastHeard, lost ? LinkQuality.UNKNOWN : quality, otherKeys, ages.outdated());
     }
 
     private DroneState snapshot() {

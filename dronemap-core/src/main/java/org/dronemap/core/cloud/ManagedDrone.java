@@ -269,7 +269,8 @@ final class ManagedDrone implements Lane.TimedTask {
     @Override
     public void advance() {
         judge();
-        if (drone.publishReception()) {
+        boolean aged = drone.publishAges();
+        if (drone.publishReception() || aged) {
             listener.droneChanged(drone.state());
         }
         if (liveness.probeDue(lane.activeNanos())) {

@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param quality unknown while the drone is lost
  * @param others further links that the same vehicle is heard on
+ * @param outdated what the vehicle does not tell any more though it is heard; nothing while it is lost, when all is old
  */
 public record LinkStatus(
         DroneKey key,
@@ -16,4 +17,16 @@ public record LinkStatus(
         LinkState state,
         @Nullable Instant lastHeard,
         LinkQuality quality,
-        List<DroneKey> others) {}
+        List<DroneKey> others,
+        List<OutdatedPart> outdated) {
+    /** Everything is told. */
+    public LinkStatus(
+            DroneKey key,
+            String transport,
+            LinkState state,
+            @Nullable Instant lastHeard,
+            LinkQuality quality,
+            List<DroneKey> others) {
+        this(key, transport, state, lastHeard, quality, others, List.of());
+    }
+}

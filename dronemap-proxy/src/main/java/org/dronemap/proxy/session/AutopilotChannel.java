@@ -25,6 +25,7 @@ import org.dronemap.proxy.mavlink.translate.CommandContext;
 import org.dronemap.proxy.mavlink.translate.ParameterTable;
 import org.dronemap.proxy.mavlink.translate.TelemetryTranslator;
 import org.dronemap.proxy.mavlink.translate.VehicleStatus;
+import org.dronemap.proxy.mavlink.translate.VehicleType;
 
 /**
  * The server's message exchange with one autopilot over any of its links: telemetry, heartbeats, commands. Owned by the
@@ -58,7 +59,7 @@ final class AutopilotChannel {
     private long lastHeartbeatNanos;
 
     /**
-     * {@code first} is a heartbeat of that autopilot; {@code news} hears what it says, {@code missionRead} what it keeps as
+     * {@code first} is, or stands for, a heartbeat of that autopilot; {@code news} hears what it says, {@code missionRead} what it keeps as
      * its mission.
      */
     AutopilotChannel(
@@ -70,7 +71,7 @@ final class AutopilotChannel {
         this.links = links;
         this.news = news;
         this.nanoTime = nanoTime;
-        Heartbeat heartbeat = Heartbeat.decode(first);
+        Heartbeat heartbeat = VehicleType.announced(first).orElseThrow();
         target = new MavlinkTarget(
                 first.systemId(), first.componentId(), links::send, links::roundTrip, new CommandSendTimes());
         family = heartbeat.autopilot();

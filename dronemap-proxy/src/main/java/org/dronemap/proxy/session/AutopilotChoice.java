@@ -32,7 +32,7 @@ final class AutopilotChoice {
 
     /** From now on the vehicle is spoken to as the sender of this heartbeat. */
     void chosen(Frame frame) {
-        Heartbeat heartbeat = Heartbeat.decode(frame);
+        Heartbeat heartbeat = VehicleType.announced(frame).orElseThrow();
         component = frame.componentId();
         autopilot = heartbeat.autopilot();
         type = heartbeat.type();
@@ -42,11 +42,9 @@ final class AutopilotChoice {
 
     /** True for a frame that shows a better choice than the one made, or that the chosen one has become another. */
     boolean isContradictedBy(Frame frame) {
-        if (component < 0 || frame.messageId() != Heartbeat.ID) {
-            return false;
-        }
-        Heartbeat heartbeat = Heartbeat.decode(frame);
-        if (!VehicleType.isVehicle(heartbeat)) {
+        Heartbeat heartbeat =
+                component < 0 ? null : VehicleType.announced(frame).orElse(null);
+        if (heartbeat == null) {
             return false;
         }
         if (frame.componentId() != component) {

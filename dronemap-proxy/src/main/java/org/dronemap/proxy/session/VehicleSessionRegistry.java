@@ -11,7 +11,6 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameWriter;
-import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerCounters;
 import org.dronemap.proxy.endpoint.PeerHandler;
@@ -74,12 +73,11 @@ public final class VehicleSessionRegistry implements PeerHandler.Factory {
         return refused.sum();
     }
 
-    /** A session for the vehicle that this frame is a heartbeat of; empty for any other frame, or without room. */
+    /** A session for the vehicle that this frame is a heartbeat of, or stands for one; empty for any other frame, or without room. */
     Optional<VehicleLink> open(LinkOrigin label, VehicleSender downlink, Frame frame) {
-        if (frame.messageId() != Heartbeat.ID
-                || frame.systemId() == 0
+        if (frame.systemId() == 0
                 || surroundings.watch().precautions().refuses(label.peer())
-                || !VehicleType.isVehicle(Heartbeat.decode(frame))) {
+                || VehicleType.announced(frame).isEmpty()) {
             return Optional.empty();
         }
         if (open.incrementAndGet() > MAX_SESSIONS) {

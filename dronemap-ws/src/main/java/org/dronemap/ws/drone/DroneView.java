@@ -12,6 +12,7 @@ import org.dronemap.core.drone.IdentityEvidence;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.Severity;
+import org.dronemap.core.drone.StatePart;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.ws.mission.MissionItemView;
 import org.dronemap.ws.problem.Rejection;
@@ -78,7 +79,16 @@ public record DroneView(
             QualityView quality,
 
             @Schema(description = "Further addresses on which the same vehicle is heard")
-            List<String> others) {}
+            List<String> others,
+
+            @Schema(
+                    description = "Parts of the state that the vehicle has stopped telling though it is heard: their"
+                            + " values are old. Empty while it is lost, when all is old")
+            List<OutdatedView> outdated) {}
+
+    /** A part of a drone's state that is told no more, and when it last was. */
+    @Schema(name = "DroneOutdatedView")
+    public record OutdatedView(@EnumValues(StatePart.class) String part, Instant lastHeard) {}
 
     /** Evidence of a drone's identity: address, hardware, signature or link; only the last two prove it. */
     @Schema(name = "DroneIdentityView")
@@ -132,6 +142,17 @@ public record DroneView(
     /** Per cent, volts, amperes. */
     @Schema(name = "DroneBatteryView")
     public record BatteryView(
+            @Nullable Integer percent,
+            @Nullable Double volts,
+            @Nullable Double amps,
+
+            @Schema(description = "Batteries beside the main one")
+            List<FurtherBatteryView> further) {}
+
+    /** A battery beside the main one, by the vehicle's number for it. */
+    @Schema(name = "DroneFurtherBatteryView")
+    public record FurtherBatteryView(
+            int number,
             @Nullable Integer percent,
             @Nullable Double volts,
             @Nullable Double amps) {}

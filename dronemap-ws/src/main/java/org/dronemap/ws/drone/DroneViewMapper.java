@@ -115,7 +115,10 @@ public final class DroneViewMapper {
                 WireNames.camel(link.state()),
                 heard == null ? null : millis(heard),
                 quality(link.quality()),
-                link.others().stream().map(DroneKey::toString).toList());
+                link.others().stream().map(DroneKey::toString).toList(),
+                link.outdated().stream()
+                        .map(old -> new DroneView.OutdatedView(WireNames.camel(old.part()), millis(old.lastHeard())))
+                        .toList());
     }
 
     private static DroneView.IdentityView identity(DroneState state) {
@@ -183,7 +186,16 @@ public final class DroneViewMapper {
 
     private static DroneView.@Nullable BatteryView battery(DroneState state) {
         var battery = state.battery();
-        return battery == null ? null : new DroneView.BatteryView(battery.percent(), battery.volts(), battery.amps());
+        return battery == null
+                ? null
+                : new DroneView.BatteryView(
+                        battery.percent(),
+                        battery.volts(),
+                        battery.amps(),
+                        battery.further().stream()
+                                .map(other -> new DroneView.FurtherBatteryView(
+                                        other.number(), other.percent(), other.volts(), other.amps()))
+                                .toList());
     }
 
     private static DroneView.@Nullable GpsView gps(DroneState state) {

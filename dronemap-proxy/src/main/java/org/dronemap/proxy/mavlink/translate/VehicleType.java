@@ -1,8 +1,11 @@
 package org.dronemap.proxy.mavlink.translate;
 
+import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.HighLatency2;
 
 /** Tells from MAV_TYPE whether a MAVLink component is a vehicle, and of what kind. */
 public final class VehicleType {
@@ -24,6 +27,16 @@ public final class VehicleType {
     public static boolean isVehicle(Heartbeat heartbeat) {
         return heartbeat.autopilot() != AUTOPILOT_INVALID
                 && (kind(heartbeat.type()) != VehicleKind.UNKNOWN || OTHER_VEHICLES.contains(heartbeat.type()));
+    }
+
+    /** The heartbeat that a frame is, or stands for; empty for a frame that is none and of what is no vehicle. */
+    public static Optional<Heartbeat> announced(Frame frame) {
+        Heartbeat heartbeat = switch (frame.messageId()) {
+            case Heartbeat.ID -> Heartbeat.decode(frame);
+            case HighLatency2.ID -> HighLatencyReader.heartbeat(HighLatency2.decode(frame), null);
+            default -> null;
+        };
+        return Optional.ofNullable(heartbeat).filter(VehicleType::isVehicle);
     }
 
     static VehicleKind kind(int type) {

@@ -1,0 +1,89 @@
+package org.dronemap.core.cloud.rule;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import org.dronemap.core.drone.OutdatedPart;
+import org.dronemap.core.drone.StatePart;
+import org.dronemap.core.event.DroneEvent;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Ages of the parts of one drone's state: a part is outdated when it was not told for ten seconds, or for three times
+ * as long as between the last two times. Owned by the drone's lane.
+ */
+public final class StatePartAges {
+    private static final Duration SHORTEST = Duration.ofSeconds(10);
+    private static final int INTERVALS = 3;
+
+    private final Map<StatePart, Heard> parts = new EnumMap<>(StatePart.class);
+    private List<OutdatedPart> outdated = List.of();
+
+    private record Heard(Instant at, Duration interval) {}
+
+    /** Takes in what the vehicle told then. */
+    public void apply(DroneEvent event, Instant at) {
+        switch (event.kind()) {
+            case MODE -> mode((DroneEvent.ModeReported) event, at);
+            case READINESS -> heard(StatePart.READINESS, ((DroneEvent.ReadinessReported) event).readyToArm(), at);
+            case PHASE -> heard(StatePart.FLIGHT, ((DroneEvent.PhaseReported) event).phase(), at);
+            case POSITION -> heard(StatePart.POSITION, event, at);
+            case LOCAL_POSITION -> heard(StatePart.LOCAL, event, at);
+            case MOTION -> heard(StatePart.MOTION, event, at);
+            case ATTITUDE -> heard(StatePart.ATTITUDE, ((DroneEvent.AttitudeReported) event).attitude(), at);
+            case BATTERY -> heard(StatePart.BATTERY, event, at);
+            case GPS -> heard(StatePart.GPS, event, at);
+            // What is told once, when it changes or when it is asked for, or has its own time.
+            case IDENTIFIED, HOME, RETURN_HEIGHT_SET, MISSION_CURRENT, MISSION_ITEM_REACHED, MISSION_READ -> {}
+            case PARAMETERS_READ, PARAMETER, LOGS_READ, FENCE_READ, RALLY_POINTS_READ -> {}
+            case PHOTO, OUTPUTS, READING, WIND, SCAN, PICTURE, MAP, TEXT -> {}
+        }
+    }
+
+    private void mode(DroneEvent.ModeReported told, Instant at) {
+        heard(StatePart.MODE, told.mode(), at);
+        if (told.armed() != null) {
+            heard(StatePart.ARMED, told.armed(), at);
+        }
+    }
+
+    /** What is told to be unknown does not age. */
+    private void heard(StatePart part, @Nullable Object value, Instant at) {
+        Heard before = parts.get(part);
+        if (value == null) {
+            parts.remove(part);
+        } else {
+            parts.put(part, new Heard(at, before == null ? Duration.ZERO : Duration.between(before.at(), at)));
+        }
+        if (!outdated.isEmpty()) {
+            outdated = outdated.stream().filter(old -> old.part() != part).toList();
+        }
+    }
+
+    /** True when that is news; {@code silent}: nothing at all is told, so that no part is older than the others. */
+    public boolean judge(Instant now, boolean silent) {
+        List<OutdatedPart> before = outdated;
+        outdated = silent ? List.of() : outdatedAt(now);
+        return !outdated.equals(before);
+    }
+
+    /** As last judged, without what was told since. */
+    public List<OutdatedPart> outdated() {
+        return outdated;
+    }
+
+    private List<OutdatedPart> outdatedAt(Instant now) {
+        List<OutdatedPart> found = new ArrayList<>();
+        parts.forEach((part, heard) -> {
+            Duration longest = heard.interval().multipliedBy(INTERVALS);
+            Duration patience = longest.compareTo(SHORTEST) > 0 ? longest : SHORTEST;
+            if (Duration.between(heard.at(), now).compareTo(patience) > 0) {
+                found.add(new OutdatedPart(part, heard.at()));
+            }
+        });
+        return List.copyOf(found);
+    }
+}
