@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.MissionCloudLossPolicy;
@@ -27,7 +28,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Missions of real autopilots in software, where {@code DRONEMAP_SITL} names the folder of their binaries. */
+/** Missions of real autopilots in software, where {@code DRONEMAP_SITL_ARDUCOPTER} and so on name their binaries. */
 class SitlMissionItemsTest {
     private static final Geodetic HOME = new Geodetic(47.397742, 8.545594);
     private static final Geodetic FIELD = new Geodetic(47.398642, 8.545594);
@@ -135,19 +136,20 @@ class SitlMissionItemsTest {
     }
 
     private Process start(String binary, String model, String defaults, int instance, int port) throws IOException {
-        String sitl = System.getenv("DRONEMAP_SITL");
-        Assumptions.assumeTrue(sitl != null, "DRONEMAP_SITL names no folder of autopilots; this flight is skipped");
+        String setting = "DRONEMAP_SITL_" + binary.toUpperCase(Locale.ROOT);
+        String program = System.getenv(setting);
+        Assumptions.assumeTrue(program != null, setting + " names no autopilot; this flight is skipped");
         File log = folder.resolve("sitl.log").toFile();
         Files.createFile(log.toPath());
         return new ProcessBuilder(
-                        Path.of(sitl, binary).toString(),
+                        program,
                         "--wipe",
                         "--model",
                         model,
                         "--speedup",
                         "1",
                         "--defaults",
-                        Path.of(sitl, defaults).toString(),
+                        Path.of(program).resolveSibling(defaults).toString(),
                         "--home",
                         HOME.latitudeDegrees() + "," + HOME.longitudeDegrees() + ",488,0",
                         "--sysid",

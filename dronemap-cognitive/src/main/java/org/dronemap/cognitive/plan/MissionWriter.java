@@ -20,7 +20,6 @@ public final class MissionWriter {
     private static final double HIGHEST_TAKE_OFF_METERS = 500;
     private static final double LONGEST_HOLD_SECONDS = 3_600;
     /** What sums of seconds are off by. */
-    private static final double ROUNDING_SECONDS = 1e-6;
 
     private final Craft craft;
     private final VehicleKind kind;
@@ -200,15 +199,10 @@ public final class MissionWriter {
         return last ? 2 : Math.min(2, fixes.size() - 1);
     }
 
-    /**
-     * Until its next way begins: its task, and what waiting keeps drones apart, in whole seconds, as most vehicles count
-     * them; one that cannot stand keeps apart by other means.
-     */
-    private double hold(Tour tour, int stop) {
-        double apart =
-                tour.way(stop + 1).departsSeconds() - tour.stops().get(stop).arrivesSeconds();
-        double task = tasks.apply(tour.stops().get(stop).waypoint()).serviceSeconds();
-        return Math.ceil(Math.max(0, (stands ? Math.max(task, apart) : task) - ROUNDING_SECONDS));
+    /** Until its next way begins: its task, and what waiting keeps drones apart. */
+    private static double hold(Tour tour, int stop) {
+        return Math.max(
+                0, tour.way(stop + 1).departsSeconds() - tour.stops().get(stop).arrivesSeconds());
     }
 
     private void takeOff(List<MissionItem> items, Place top) {
