@@ -220,7 +220,13 @@ final class TestVehicle {
         } else if (!MissionLegs.isFlown(item)) {
             obey(item);
             passed(true);
-        } else if (item instanceof MissionItem.ReturnToLaunch) {
+        } else {
+            end(item, seconds);
+        }
+    }
+
+    private void end(MissionItem item, double seconds) {
+        if (item instanceof MissionItem.ReturnToLaunch) {
             mode = "RTL";
         } else if (item instanceof MissionItem.Land) {
             land(seconds);
