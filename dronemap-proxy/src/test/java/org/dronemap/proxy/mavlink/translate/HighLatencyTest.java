@@ -27,6 +27,32 @@ class HighLatencyTest {
     private static final int ARDUPILOT = 3;
     private static final int PX4 = 12;
 
+    private static final HighLatency OLD = new HighLatency(
+            0xD1,
+            5,
+            2,
+            -150,
+            250,
+            27_000,
+            40,
+            0,
+            471_234_567,
+            -81_234_567,
+            612,
+            620,
+            11,
+            11,
+            9,
+            -2,
+            14,
+            3,
+            77,
+            20,
+            20,
+            0,
+            2,
+            100);
+
     private final List<DroneEvent> events = new ArrayList<>();
 
     private TelemetryTranslator vehicle(Heartbeat first, Message... before) {
@@ -111,33 +137,7 @@ class HighLatencyTest {
     @Test
     void theOldOneTellsTheSame() {
         TelemetryTranslator copter = vehicle(new Heartbeat(2, ARDUPILOT, 81, 4, 3, 3));
-        hear(
-                copter,
-                new HighLatency(
-                        0xD1,
-                        5,
-                        2,
-                        -150,
-                        250,
-                        27_000,
-                        40,
-                        0,
-                        471_234_567,
-                        -81_234_567,
-                        612,
-                        620,
-                        11,
-                        11,
-                        9,
-                        -2,
-                        14,
-                        3,
-                        77,
-                        20,
-                        20,
-                        0,
-                        2,
-                        100));
+        hear(copter, OLD);
         assertThat(events)
                 .contains(
                         new DroneEvent.ModeReported("LOITER", true),
