@@ -144,4 +144,5 @@ def _summary(answer: ParametersFileView) -> str:
     words = [f"{len(answer.different)} differ, {answer.same} are the same"]
     words += [f"{len(answer.unfit)} are of no fitting value"] if answer.unfit else []
     words += [f"{len(answer.unknown)} are unknown to the vehicle"] if answer.unknown else []
-    return f"{', '.join(words)}."
+    left_out = [f"Line {left.line}: {left.why}" for left in answer.left_out]
+    return "\n".join([f"{', '.join(words)}.", *left_out])

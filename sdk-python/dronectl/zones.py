@@ -38,14 +38,20 @@ async def show(session: Session, name: str) -> None:
 @click.argument("file", type=FILE)
 @connected
 async def import_file(session: Session, file: Path) -> None:
-    """Add the zones of FILE, GeoJSON or KML: all of them, or none."""
+    """Add the zones of FILE, GeoJSON, KML or KMZ; what cannot be one is named."""
     raw = content(file)
-    if raw.lstrip().startswith(b"<"):
+    if raw.startswith(b"PK"):
+        answer = await session.server.rest.import_zones(raw, content_type="application/vnd.google-earth.kmz")
+    elif raw.lstrip().startswith(b"<"):
         answer = await session.server.rest.import_zones(raw, content_type="application/vnd.google-earth.kml+xml")
     else:
         answer = await session.server.rest.import_zones(raw, content_type="application/geo+json")
-    added = answer.features or []
-    session.output.show(answer, f"{len(added)} zones added: {', '.join(_name(zone) for zone in added)}.")
+    added = answer.features
+    left_out = [f"Left out, {piece.name or piece.at} ({piece.at}): {piece.why}" for piece in answer.left_out]
+    if len(answer.left_out) < answer.left_out_total:
+        left_out.append(f"Left out are {answer.left_out_total} in all.")
+    words = f"{len(added)} zones added: {', '.join(_name(zone) for zone in added)}."
+    session.output.show(answer, "\n".join([words, *left_out]))
 
 
 @zones.command()

@@ -18,6 +18,8 @@ ZONE: Members = {
     "properties": {"name": "mast", "kind": "exclusion", "radius": 20.0},
 }
 ZONES: Members = {"type": "FeatureCollection", "features": [ZONE]}
+ROAD: Members = {"at": "features[1]", "name": "road", "code": "value-not-allowed", "why": "A line is no area."}
+IMPORTED: Members = {**ZONES, "leftOut": [ROAD], "leftOutTotal": 1}
 USER: Members = {
     "name": "tom",
     "role": "viewer",
@@ -61,6 +63,7 @@ DIFFERENCE: Members = {
     "different": [{"name": "RTL_ALT", "type": "int32", "held": 1500.0, "wanted": 1800.0}],
     "same": 3,
     "unfit": [],
+    "leftOut": [{"line": 7, "why": "MNT_RATE is of component 154."}],
     "unknown": ["NEW"],
 }
 LOGS: Members = {"logs": [{"number": 1, "at": NOW, "sizeBytes": 3, "here": True}]}

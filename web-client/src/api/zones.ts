@@ -1,6 +1,11 @@
 import type { Point, Polygon } from 'geojson';
 import type { Command } from './types';
-import type { ZoneFeature, ZoneProperties as ZoneRequestProperties, RestOperations } from '@dronemap/client';
+import type {
+  RestOperations,
+  ZoneFeature,
+  ZoneLeftOutView,
+  ZoneProperties as ZoneRequestProperties,
+} from '@dronemap/client';
 
 /** Whole, as the server answers it: its description is of what it takes as well. */
 export type ZoneProperties = Required<ZoneRequestProperties> & {
@@ -16,6 +21,20 @@ export type Zone = { [K in 'type' | 'id']: NonNullable<ZoneFeature[K]> } & {
 export type NewZone = Omit<Zone, 'id' | 'properties'> & { properties: ZoneRequestProperties };
 
 export type BreachAction = ZoneProperties['onBreach'];
+
+/** What became of a file with zones. */
+export interface ZoneImport {
+  zones: readonly Zone[];
+  leftOut: readonly ZoneLeftOutView[];
+  leftOutTotal: number;
+}
+
+/** The fence of a vehicle: how many areas it has, and what of it cannot be shown. */
+export interface FenceSummary {
+  areas: number;
+  returns: boolean;
+  leftOut: readonly string[];
+}
 
 /** The calls around zones. */
 export class ZoneCalls {
@@ -37,9 +56,10 @@ export class ZoneCalls {
     return this.#rest.replaceZone({ id }, zone as ZoneFeature) as Promise<Zone>;
   }
 
-  /** All zones of a GeoJSON file, or none. */
-  async importFile(file: Blob): Promise<Zone[]> {
-    return (await this.#rest.importZones(file)).features as Zone[];
+  /** Adds the zones of a GeoJSON, KML or KMZ file; what became none is named. */
+  async importFile(file: Blob): Promise<ZoneImport> {
+    const { features, leftOut, leftOutTotal } = await this.#rest.importZones(file);
+    return { zones: features as Zone[], leftOut, leftOutTotal };
   }
 
   /** Makes the zones that bind a drone its own fence. */
@@ -52,10 +72,12 @@ export class ZoneCalls {
     return this.#rest.readFence({ id: drone });
   }
 
-  /** The number of areas in the fence of the vehicle; null: it was not read yet. */
-  async onBoard(drone: string): Promise<number | null> {
-    const fence = await this.#rest.getFence({ id: drone });
-    return fence.zones?.length ?? null;
+  /** The fence of the vehicle; null: it was not read yet. */
+  async onBoard(drone: string): Promise<FenceSummary | null> {
+    const { zones, returnPoint, leftOut } = await this.#rest.getFence({ id: drone });
+    return zones == null
+      ? null
+      : { areas: zones.length, returns: returnPoint != null, leftOut: leftOut ?? [] };
   }
 
   remove(id: string): Promise<void> {

@@ -1,5 +1,5 @@
 import { sentenceFor } from '../api/problem';
-import type { Zone, ZoneCalls } from '../api/zones';
+import type { Zone, ZoneCalls, ZoneImport } from '../api/zones';
 import type { Coordinates } from '../geo/coordinates';
 import { featureOf, withPoint, type ZoneDraft } from '../zones/zone-draft';
 
@@ -10,6 +10,8 @@ export class Zones {
   /** The zone that the map shall show; a new object each time. */
   wanted = $state.raw<{ zone: Zone } | null>(null);
   problem = $state<string | null>(null);
+  /** What became of the file that was imported last. */
+  imported = $state.raw<ZoneImport | null>(null);
   readonly #calls: ZoneCalls;
 
   constructor(calls: ZoneCalls) {
@@ -44,6 +46,7 @@ export class Zones {
     this.all = [];
     this.draft = null;
     this.problem = null;
+    this.imported = null;
   }
 
   addPoint(place: Coordinates): void {
@@ -65,8 +68,10 @@ export class Zones {
   }
 
   async importFile(file: Blob): Promise<void> {
+    this.imported = null;
     await this.#attempt(async () => {
-      (await this.#calls.importFile(file)).forEach((zone) => this.apply(zone));
+      this.imported = await this.#calls.importFile(file);
+      this.imported.zones.forEach((zone) => this.apply(zone));
     });
   }
 

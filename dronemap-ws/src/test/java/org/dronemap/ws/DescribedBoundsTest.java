@@ -234,7 +234,8 @@ class DescribedBoundsTest {
                 + drone + "\",";
         String fence = "{\"zones\":[{\"type\":\"circle\",\"inside\":false,\"radius\":5,\"center\":{" + PLACE
                 + "}},{\"type\":\"polygon\",\"inside\":false,\"corners\":[{" + PLACE
-                + "},{\"latitude\":47.5,\"longitude\":8.5},{\"latitude\":47.5,\"longitude\":8.6}]}]}";
+                + "},{\"latitude\":47.5,\"longitude\":8.5},{\"latitude\":47.5,\"longitude\":8.6}]}],\"returnPoint\":{"
+                + PLACE + "}}";
         return List.of(
                 as(administrator, "/zones", zone + "\"name\":\"Park\",\"floor\":10}}"),
                 as(administrator, "/zones", zone + "\"name\":\"Lake\",\"ceiling\":10}}"),

@@ -84,12 +84,15 @@ class ParametersTest {
 
         TestHttpClient.Answer tooLarge = put("RTL_ALT", "{\"value\":40000}");
         TestHttpClient.Answer unknown = put("NOBODY", "{\"value\":1}");
-        TestHttpClient.Answer line = file("", "RTL_ALT,1\nRATE_P=2");
+        TestHttpClient.Answer line = file("", "# none\nRATE_P=0x");
 
         assertThat(tooLarge.status()).isEqualTo(422);
         assertThat(tooLarge.text("allowed")).isEqualTo("a whole number from -32768 to 32767");
         assertThat(unknown.text("field")).isEqualTo("name");
-        assertThat(line.text("detail")).contains("line 2");
+        assertThat(line.text("detail"))
+                .isEqualTo(
+                        "There is no value for the autopilot in this file. Line 2: The value of RATE_P, \"0x\", is no"
+                                + " number.");
         assertThat(vehicle.performed()).isEmpty();
     }
 

@@ -114,7 +114,8 @@ class ZonesTest {
     @Test
     void saysWhatIsWrongWithAZone() {
         assertWrong(feature(NORTH, "\"name\":\" \""), "properties.name", "missing");
-        assertWrong(feature("[[[8.5,47],[8.6,47],[8.5,47]]]", "\"name\":\"A\""), "geometry.coordinates[0]", "3 to 100");
+        assertWrong(
+                feature("[[[8.5,47],[8.6,47],[8.5,47]]]", "\"name\":\"A\""), "geometry.coordinates[0]", "3 to 1000");
         assertWrong(
                 feature("[[[8.5,95],[8.6,47],[8.7,48]]]", "\"name\":\"A\""), "geometry.coordinates[0][0][1]", "-90");
         assertWrong(
@@ -198,8 +199,11 @@ class ZonesTest {
                 + "},\"properties\":null}]}";
 
         TestHttpClient.Answer taken = supervisor.post(ZONES + "/import", foreign);
-        TestHttpClient.Answer broken =
+        TestHttpClient.Answer inPart =
                 supervisor.post(ZONES + "/import", foreign.replace("\"Polygon\"", "\"LineString\""));
+        TestHttpClient.Answer nothing = supervisor.post(
+                ZONES + "/import",
+                foreign.replace("\"Polygon\"", "\"LineString\"").replace("\"MultiPolygon\"", "\"LineString\""));
 
         assertThat(taken.status()).isEqualTo(201);
         assertThat(taken.json()
@@ -207,9 +211,16 @@ class ZonesTest {
                         .valueStream()
                         .map(zone -> zone.path("properties").path("name").asString()))
                 .containsExactly("Park (1)", "Park (2)", "Zone 2");
-        assertThat(broken.status()).isEqualTo(422);
-        assertThat(broken.text("field")).isEqualTo("features[1].geometry.type");
-        assertThat(supervisor.get(ZONES).json().path("features").size()).isEqualTo(3);
+        assertThat(taken.json().path("leftOut").isEmpty()).isTrue();
+        assertThat(inPart.status()).isEqualTo(201);
+        assertThat(inPart.json().path("features").size()).isEqualTo(2);
+        assertThat(inPart.json().path("leftOutTotal").asInt()).isEqualTo(1);
+        assertThat(inPart.json().path("leftOut").get(0).path("at").asString()).isEqualTo("features[1]");
+        assertThat(inPart.json().path("leftOut").get(0).path("code").asString()).isEqualTo("value-not-allowed");
+        assertThat(inPart.json().path("leftOut").get(0).path("why").asString()).contains("\"LineString\"");
+        assertThat(nothing.status()).isEqualTo(422);
+        assertThat(nothing.text("detail")).startsWith("None of the 2 pieces of this file can be a zone.");
+        assertThat(supervisor.get(ZONES).json().path("features").size()).isEqualTo(5);
     }
 
     @Test
@@ -233,7 +244,7 @@ class ZonesTest {
                         .asString())
                 .isEqualTo("Lake & shore");
         assertThat(evil.status()).isEqualTo(400);
-        assertThat(empty.text("detail")).isEqualTo("There is no Polygon in this KML file.");
+        assertThat(empty.text("detail")).isEqualTo("There is no area in this file.");
     }
 
     @Test

@@ -29,12 +29,13 @@ public record ParameterComparison(List<Difference> different, int same, List<Str
             Parameter held = vehicle.find(wanted.name()).orElse(null);
             if (held == null) {
                 unknown.add(wanted.name());
+            } else if (!held.type().holds(wanted.value())) {
+                // Even where it would be rounded to what the vehicle has.
+                unfit.add(new Difference(held, wanted.value()));
             } else if (held.type().held(wanted.value()) == held.value()) {
                 same++;
-            } else if (held.type().holds(wanted.value())) {
-                different.add(new Difference(held, held.type().held(wanted.value())));
             } else {
-                unfit.add(new Difference(held, wanted.value()));
+                different.add(new Difference(held, held.type().held(wanted.value())));
             }
         }
         return new ParameterComparison(different, same, unknown, unfit);

@@ -33,6 +33,9 @@ final class BreachCheck {
             return Math.hypot(seen.eastMeters(), seen.northMeters()) <= circle.radiusMeters();
         }
         List<Geodetic> corners = shape instanceof FenceArea.Polygon polygon ? polygon.corners() : List.of();
+        if (AreaExtent.isBeside(corners, AreaExtent.Box.at(point))) {
+            return false;
+        }
         LocalPlane plane = new LocalPlane(point);
         return plane.outline(corners).contains(plane.spot(point));
     }

@@ -24,6 +24,8 @@ final class LegCheck {
     /** Nothing farther than this from all of a leg needs a closer look. */
     private static final double NEAR_DEGREES = 0.2;
 
+    private static final double NEAREST_POLE_DEGREES = 89;
+
     private static final double MEAN_EARTH_RADIUS_METERS = 6_371_008.8;
 
     private final Leg leg;
@@ -219,8 +221,12 @@ final class LegCheck {
     private boolean apart(List<Geodetic> places, double degrees) {
         double south = Math.min(leg.from().latitudeDegrees(), leg.to().latitudeDegrees()) - degrees;
         double north = Math.max(leg.from().latitudeDegrees(), leg.to().latitudeDegrees()) + degrees;
-        return places.stream().allMatch(place -> place.latitudeDegrees() < south)
-                || places.stream().allMatch(place -> place.latitudeDegrees() > north);
+        // Degrees of longitude are the shorter the nearer to a pole, where no zone is.
+        double across = degrees / Math.cos(Math.toRadians(Math.min(NEAREST_POLE_DEGREES, Math.max(-south, north))));
+        double way = LocalPlane.eastward(leg.from(), leg.to());
+        return AreaExtent.isBeside(
+                places,
+                new AreaExtent.Box(leg.from(), south, north, Math.min(0, way) - across, Math.max(0, way) + across));
     }
 
     private boolean sharesHeights(Zone zone) {

@@ -70,6 +70,9 @@ public final class ShapeValidator {
     private static boolean touch(List<PlaneSegment> edges, int i, int j) {
         PlaneSegment one = edges.get(i);
         PlaneSegment other = edges.get(j);
+        if (isBeside(one, other)) {
+            return false;
+        }
         if (j == i + 1) {
             return foldsBack(one, other);
         }
@@ -77,6 +80,25 @@ public final class ShapeValidator {
             return foldsBack(other, one);
         }
         return one.distanceMeters(other) < SAME_METERS;
+    }
+
+    /** Most edges of a large outline are far from each other: their rectangles tell. */
+    private static boolean isBeside(PlaneSegment one, PlaneSegment other) {
+        return isApart(
+                        one.from().eastMeters(),
+                        one.to().eastMeters(),
+                        other.from().eastMeters(),
+                        other.to().eastMeters())
+                || isApart(
+                        one.from().northMeters(),
+                        one.to().northMeters(),
+                        other.from().northMeters(),
+                        other.to().northMeters());
+    }
+
+    private static boolean isApart(double from, double to, double otherFrom, double otherTo) {
+        return Math.max(from, to) + SAME_METERS < Math.min(otherFrom, otherTo)
+                || Math.max(otherFrom, otherTo) + SAME_METERS < Math.min(from, to);
     }
 
     /** Neighbours share a corner, and nothing else. */

@@ -1,11 +1,11 @@
 package org.dronemap.core.parameter;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -19,7 +19,8 @@ class ParameterFileTest {
     @ParameterizedTest
     @EnumSource(ParameterFile.Form.class)
     void readsWhatItWrote(ParameterFile.Form form) {
-        List<ParameterValue> read = ParameterFile.read(ParameterFile.write(SOME, form, 7));
+        List<ParameterValue> read =
+                ParameterFile.read(ParameterFile.write(SOME, form, 7)).values();
 
         assertThat(ParameterComparison.of(ParameterSet.of(SOME, java.time.Instant.EPOCH), read))
                 .isEqualTo(new ParameterComparison(List.of(), SOME.size(), List.of(), List.of()));
@@ -41,7 +42,7 @@ class ParameterFileTest {
                 + "1\t1\tRTL_ALT\t1500\t6\n";
 
         for (String file : List.of(missionPlanner, mavproxy, table)) {
-            assertThat(ParameterFile.read(file))
+            assertThat(ParameterFile.read(file).values())
                     .extracting(value -> value.name() + " " + (float) value.value())
                     .containsExactlyInAnyOrder("ACRO_BAL 0.1", "RTL_ALT 1500.0");
         }
@@ -49,14 +50,72 @@ class ParameterFileTest {
 
     @Test
     void takesTheLastOfTwoValues() {
-        assertThat(ParameterFile.read("A,1\nA,2\n")).containsExactly(new ParameterValue("A", 2));
+        ParameterFileContent read = ParameterFile.read("A,1\nA,2\nB,5\nB,5.0\n");
+
+        assertThat(read.values()).containsExactly(new ParameterValue("A", 2), new ParameterValue("B", 5));
+        assertThat(read.leftOut())
+                .containsExactly(
+                        new ParameterFileContent.LeftOut(2, "A comes again: 2 counts, and 1 before does not."));
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"RTL_ALT", "RTL_ALT,abc", "RTL_ALT,1,2", "A_NAME_THAT_IS_TOO_LONG,1", "RTL_ALT,NaN", ",5"})
-    void namesTheLineThatIsWrong(String line) {
-        assertThatThrownBy(() -> ParameterFile.read("# fine\nGOOD,1\n" + line))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("line 3");
+    @ValueSource(
+            strings = {
+                "RTL_ALT",
+                "RTL_ALT,abc",
+                "RTL_ALT,1,2",
+                "RTL_ALT 0,5",
+                "A_NAME_THAT_IS_TOO_LONG,1",
+                "RTL_ALT,NaN",
+                "RTL_ALT,0x",
+                "RTL_ALT,",
+                ",5",
+                "@include other.parm",
+                "1\t154\tRTL_ALT\t3\t4",
+                "1\t\tRTL_ALT\t3\t4",
+                "<html>"
+            })
+    void anOddLineIsNamedAndTheOthersAreTaken(String line) {
+        ParameterFileContent read = ParameterFile.read("# fine\nGOOD,1\n" + line + "\nLAST 2\n");
+
+        assertThat(read.values()).containsExactly(new ParameterValue("GOOD", 1), new ParameterValue("LAST", 2));
+        assertThat(read.leftOut())
+                .hasSize(1)
+                .allMatch(left -> left.line() == 3 && left.why().endsWith("."));
+    }
+
+    @Test
+    void valuesOfOtherComponentsAreNotTheAutopilots() {
+        ParameterFileContent read = ParameterFile.read("3\t1\tMNT_RATE\t20\t4\n3\t171\tMNT_RATE\t7\t4\n");
+
+        assertThat(read.values()).containsExactly(new ParameterValue("MNT_RATE", 20));
+        assertThat(read.leftOut())
+                .containsExactly(new ParameterFileContent.LeftOut(
+                        2, "MNT_RATE is of component 171, not of the autopilot (component 1)."));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0x1F, 31", "0X10, 16", "-0x2, -2", "1e3, 1000", "+5, 5", "-.5, -0.5"})
+    void readsNumbersAsProgramsWriteThem(String written, double value) {
+        for (String line : List.of("A," + written, "A " + written, "A = " + written, "A\t" + written)) {
+            assertThat(ParameterFile.read(line))
+                    .isEqualTo(new ParameterFileContent(List.of(new ParameterValue("A", value)), List.of()));
+        }
+    }
+
+    @Test
+    void takesWhatIsMarkedAndWhatFollowsAByteOrderMark() {
+        assertThat(ParameterFile.read("\uFEFFA 1 @READONLY\r\nB,2\r\n").values())
+                .containsExactly(new ParameterValue("A", 1), new ParameterValue("B", 2));
+    }
+
+    @Test
+    void aValueThatWouldBeRoundedToTheVehiclesOwnDoesNotFit() {
+        ParameterSet vehicle = ParameterSet.of(SOME, java.time.Instant.EPOCH);
+
+        ParameterComparison compared = ParameterComparison.of(vehicle, List.of(new ParameterValue("RTL_ALT", 1500.4)));
+
+        assertThat(compared.same()).isZero();
+        assertThat(compared.unfit()).hasSize(1);
     }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.parameter.Parameter;
 import org.dronemap.core.parameter.ParameterFile;
+import org.dronemap.core.parameter.ParameterFileContent;
 import org.dronemap.core.parameter.ParameterSet;
 import org.dronemap.core.parameter.ParameterType;
 import org.dronemap.core.parameter.ParameterValue;
@@ -68,9 +69,18 @@ public final class ParameterReader {
         return type.decimal() ? "a number" : "a whole number from " + (long) type.least() + " to " + (long) type.most();
     }
 
-    public static List<ParameterValue> file(String text) {
+    public static ParameterFileContent file(String text) {
         try {
-            List<ParameterValue> values = ParameterFile.read(text);
+            ParameterFileContent content = ParameterFile.read(text);
+            List<ParameterValue> values = content.values();
+            if (values.isEmpty() && !content.leftOut().isEmpty()) {
+                ParameterFileContent.LeftOut first = content.leftOut().get(0);
+                throw new InvalidInput(
+                        ValueProblem.FILE_UNUSABLE,
+                        "file",
+                        "lines such as RTL_ALT,1500",
+                        "There is no value for the autopilot in this file. Line " + first.line() + ": " + first.why());
+            }
             if (values.isEmpty() || values.size() > MOST) {
                 throw InvalidInput.outside(
                         ValueProblem.SIZE_OUT_OF_RANGE,
@@ -80,7 +90,7 @@ public final class ParameterReader {
                         ProblemParameter.LEAST.is(1),
                         ProblemParameter.MOST.is(MOST));
             }
-            return values;
+            return content;
         } catch (IllegalArgumentException e) {
             throw new InvalidInput(
                     ValueProblem.FILE_UNUSABLE,

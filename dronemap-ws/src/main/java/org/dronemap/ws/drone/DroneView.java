@@ -179,7 +179,10 @@ public record DroneView(
             @EnumValues(CloudLossState.State.class) String state,
             @Nullable String action,
             @Nullable Double afterSeconds,
-            @Nullable Double returnHeight,
+
+            @Schema(description = "Metres above home") @Nullable
+            Double returnHeight,
+
             String sentence,
 
             @Schema(description = "What its owner had set, and is put back once nobody uses it")

@@ -19,7 +19,8 @@ import org.slf4j.LoggerFactory;
 import org.springframework.web.filter.OncePerRequestFilter;
 
 /**
- * Limits size and duration of HTTP request bodies: 1 MB, 512 MB for a recording, 64 kB where no sign-in is needed. What
+ * Limits size and duration of HTTP request bodies: 1 MB, 4 MB for a file of zones, 512 MB for a
+ * recording, 64 kB where no sign-in is needed. What
  * nobody has read is thrown away after the answer, within bounds too.
  */
 public final class BodyLimitFilter extends OncePerRequestFilter {
@@ -28,7 +29,11 @@ public final class BodyLimitFilter extends OncePerRequestFilter {
     private static final Logger LOG = LoggerFactory.getLogger(BodyLimitFilter.class);
     private static final String REPLAYS = "/api/v1/replays";
     private static final Set<String> OPEN_TO_ANYBODY = Set.of("/api/v1/session", "/api/v1/registrations");
+    private static final String ZONE_FILES = "/api/v1/zones/import";
     private static final long LARGEST = MEGABYTE;
+    /** Airspaces of a country have 1.4 MB. */
+    private static final long LARGEST_ZONE_FILE = 4 * MEGABYTE;
+
     private static final long LARGEST_RECORDING = 512 * MEGABYTE;
     private static final long LARGEST_OF_ANYBODY = 64 * KILOBYTE;
     private static final long MOST_THROWN_AWAY = 16 * MEGABYTE;
@@ -61,6 +66,9 @@ public final class BodyLimitFilter extends OncePerRequestFilter {
     private static long largest(String address) {
         if (address.equals(REPLAYS)) {
             return LARGEST_RECORDING;
+        }
+        if (address.equals(ZONE_FILES)) {
+            return LARGEST_ZONE_FILE;
         }
         return OPEN_TO_ANYBODY.contains(address) ? LARGEST_OF_ANYBODY : LARGEST;
     }

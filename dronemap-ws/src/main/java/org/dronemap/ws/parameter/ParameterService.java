@@ -11,6 +11,7 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.parameter.Parameter;
 import org.dronemap.core.parameter.ParameterComparison;
 import org.dronemap.core.parameter.ParameterFile;
+import org.dronemap.core.parameter.ParameterFileContent;
 import org.dronemap.core.parameter.ParameterSet;
 import org.dronemap.ws.access.Caller;
 import org.dronemap.ws.command.CommandService;
@@ -89,14 +90,18 @@ public final class ParameterService {
 
     /** What a file would change; nothing is sent. */
     public ParametersView.FileView compare(Caller caller, String droneId, String text) {
-        return ParametersView.FileView.of(
-                comparison(drones.state(caller.principal(), droneId, Role.OPERATOR), text), null);
+        DroneState drone = drones.state(caller.principal(), droneId, Role.OPERATOR);
+        ParameterSet held = whole(drone);
+        ParameterFileContent file = ParameterReader.file(text);
+        return ParametersView.FileView.of(ParameterComparison.of(held, file.values()), file.leftOut(), null);
     }
 
     /** Changes what is otherwise in the file. */
     public ParametersView.FileView load(Caller caller, String droneId, String text) {
         DroneState drone = drones.state(caller.principal(), droneId, Role.OPERATOR);
-        ParameterComparison comparison = comparison(drone, text);
+        ParameterSet held = whole(drone);
+        ParameterFileContent file = ParameterReader.file(text);
+        ParameterComparison comparison = ParameterComparison.of(held, file.values());
         CommandView command = comparison.different().isEmpty()
                 ? null
                 : commands.give(
@@ -105,11 +110,7 @@ public final class ParameterService {
                         drone,
                         null,
                         new Command.SetParameters(comparison.changes()));
-        return ParametersView.FileView.of(comparison, command);
-    }
-
-    private ParameterComparison comparison(DroneState drone, String text) {
-        return ParameterComparison.of(whole(drone), ParameterReader.file(text));
+        return ParametersView.FileView.of(comparison, file.leftOut(), command);
     }
 
     private ParameterSet whole(DroneState drone) {

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import org.dronemap.core.parameter.Parameter;
 import org.dronemap.core.parameter.ParameterComparison;
+import org.dronemap.core.parameter.ParameterFileContent;
 import org.dronemap.core.parameter.ParameterType;
 import org.dronemap.ws.command.CommandView;
 import org.dronemap.ws.reading.EnumValues;
@@ -40,10 +41,24 @@ public record ParametersView(@Nullable Instant readAt, int total, List<Parameter
     }
 
     /**
+     * A line of a parameter file that is not taken as it stands.
+     *
+     * @param line from 1
+     * @param why a sentence
+     */
+    @Schema(name = "ParametersLeftOutView")
+    public record LeftOutLineView(int line, String why) {
+        static LeftOutLineView of(ParameterFileContent.LeftOut line) {
+            return new LeftOutLineView(line.line(), line.why());
+        }
+    }
+
+    /**
      * Comparison of a parameter file with a vehicle: the values that loading it would change, or changes.
      *
      * @param unknown names that the vehicle does not have; they are left out
      * @param unfit values that the vehicle cannot hold; they are left out
+     * @param leftOut lines of the file that are not taken as they stand
      * @param command the change under way; null for a dry run, or when there is nothing to change
      */
     @Schema(name = "ParametersFileView")
@@ -52,13 +67,21 @@ public record ParametersView(@Nullable Instant readAt, int total, List<Parameter
             int same,
             List<String> unknown,
             List<DifferenceView> unfit,
+
+            @Schema(description = "Lines of the file that are not taken as they stand, such as those for a gimbal")
+            List<LeftOutLineView> leftOut,
+
             @Nullable CommandView command) {
-        static FileView of(ParameterComparison comparison, @Nullable CommandView command) {
+        static FileView of(
+                ParameterComparison comparison,
+                List<ParameterFileContent.LeftOut> leftOut,
+                @Nullable CommandView command) {
             return new FileView(
                     comparison.different().stream().map(DifferenceView::of).toList(),
                     comparison.same(),
                     comparison.unknown(),
                     comparison.unfit().stream().map(DifferenceView::of).toList(),
+                    leftOut.stream().map(LeftOutLineView::of).toList(),
                     command);
         }
     }

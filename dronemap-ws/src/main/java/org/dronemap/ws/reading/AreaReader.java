@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.geo.LocalPlane;
+import org.dronemap.core.geo.PlanePoint;
 import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.zone.ShapeValidator;
 import org.dronemap.ws.problem.InvalidInput;
@@ -15,7 +17,10 @@ import org.jspecify.annotations.Nullable;
 public final class AreaReader {
     public static final String SHAPES = "Polygon or Point";
 
-    private static final String CORNERS = "3 to 100 corners";
+    private static final String CORNERS =
+            FenceArea.Polygon.LEAST_CORNERS + " to " + FenceArea.Polygon.MOST_CORNERS + " corners";
+    /** Corners nearer than this are the same one, as {@link ShapeValidator} has it. */
+    private static final double SAME_METERS = 0.01;
 
     private final String at;
     private final String radiusField;
@@ -63,18 +68,38 @@ public final class AreaReader {
         for (int i = 0; i < ring.size(); i++) {
             corners.add(position(field + "[0][" + i + "]", ring.get(i)));
         }
-        // A ring of GeoJSON ends where it began.
-        if (corners.size() > 1 && corners.get(0).equals(corners.get(corners.size() - 1))) {
-            corners.remove(corners.size() - 1);
+        List<Geodetic> different = withoutRepetitions(corners);
+        return counted(field, different);
+    }
+
+    /** A ring of GeoJSON ends where it began; programs also close it twice, or name a corner again. */
+    private static List<Geodetic> withoutRepetitions(List<Geodetic> corners) {
+        List<Geodetic> different = new ArrayList<>();
+        for (Geodetic corner : corners) {
+            if (different.isEmpty() || !isSame(different.get(different.size() - 1), corner)) {
+                different.add(corner);
+            }
         }
-        if (corners.size() < 3 || corners.size() > 100) {
+        while (different.size() > 1 && isSame(different.get(0), different.get(different.size() - 1))) {
+            different.remove(different.size() - 1);
+        }
+        return different;
+    }
+
+    private static boolean isSame(Geodetic one, Geodetic other) {
+        PlanePoint apart = LocalPlane.offset(one, other);
+        return Math.hypot(apart.eastMeters(), apart.northMeters()) < SAME_METERS;
+    }
+
+    private static List<Geodetic> counted(String field, List<Geodetic> corners) {
+        if (corners.size() < FenceArea.Polygon.LEAST_CORNERS || corners.size() > FenceArea.Polygon.MOST_CORNERS) {
             throw InvalidInput.outside(
                     ValueProblem.SIZE_OUT_OF_RANGE,
                     field + "[0]",
                     CORNERS,
                     corners.size(),
-                    ProblemParameter.LEAST.is(3),
-                    ProblemParameter.MOST.is(100));
+                    ProblemParameter.LEAST.is(FenceArea.Polygon.LEAST_CORNERS),
+                    ProblemParameter.MOST.is(FenceArea.Polygon.MOST_CORNERS));
         }
         return corners;
     }

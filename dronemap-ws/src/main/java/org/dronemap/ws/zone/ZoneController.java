@@ -3,7 +3,6 @@ package org.dronemap.ws.zone;
 import io.swagger.v3.oas.annotations.Operation;
 import io.swagger.v3.oas.annotations.tags.Tag;
 import java.net.URI;
-import java.nio.charset.StandardCharsets;
 import org.dronemap.ws.access.Access;
 import org.dronemap.ws.access.AccessLevel;
 import org.dronemap.ws.access.RequestCost;
@@ -68,14 +67,21 @@ class ZoneController {
     @PostMapping("/import")
     @Access(from = AccessLevel.SUPERVISOR, about = ResourceScope.ORGANISATION, costs = RequestCost.EXPORT)
     @ResponseStatus(HttpStatus.CREATED)
-    @FileMediaTypes(consumes = {"application/geo+json", "application/vnd.google-earth.kml+xml"})
+    @FileMediaTypes(
+            consumes = {
+                "application/geo+json",
+                "application/vnd.google-earth.kml+xml",
+                "application/vnd.google-earth.kmz"
+            })
     @Operation(
             operationId = "importZones",
-            summary = "Add the zones of a GeoJSON or KML file (supervisor)",
-            description = "All of them, or none. Members of other programs are passed over, a MultiPolygon becomes"
-                    + " several zones, what has no name gets one.")
-    public ZoneFeature.ZoneCollection importZones(@RequestBody byte[] file) {
-        return zones.importZones(current.principal(), new String(file, StandardCharsets.UTF_8));
+            summary = "Add the zones of a GeoJSON, KML or KMZ file (supervisor)",
+            description =
+                    "Up to 4 MB. What cannot be a zone, such as a line, is left out and named with the reason, and"
+                            + " the rest is added; a file without any is refused. Members of other programs are passed over, a"
+                            + " MultiPolygon becomes several zones, what has no name gets one.")
+    public ZoneImportView importZones(@RequestBody byte[] file) {
+        return zones.importZones(current.principal(), file);
     }
 
     @PutMapping("/{id}")

@@ -84,9 +84,13 @@ public record ZoneFeature(
             String by,
 
             @Schema(description = "Given by the server") @Nullable
-            String changedAt) {}
+            String changedAt) {
+        /** Nothing but a name to come. */
+        static final ZoneProperties NONE =
+                new ZoneProperties(null, null, null, null, null, null, null, null, null, null, null, null, null);
+    }
 
-    /** All zones, or those of an import. */
+    /** All zones. */
     @Schema(name = "ZoneCollection")
     public record ZoneCollection(
             @Schema(allowableValues = {"FeatureCollection"}) @Nullable

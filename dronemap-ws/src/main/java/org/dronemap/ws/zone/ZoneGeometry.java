@@ -21,12 +21,12 @@ import tools.jackson.databind.annotation.JsonTypeResolver;
     @JsonSubTypes.Type(value = ZoneGeometry.Point.class, name = "Point")
 })
 @Schema(name = "ZoneGeometry", description = "A geometry of GeoJSON.")
-public sealed interface ZoneGeometry extends ZoneImport.Geometry {
+public sealed interface ZoneGeometry {
     /** Throws {@link InvalidInput} where the coordinates cannot be used; {@code radius}: of a circle, in metres. */
     FenceArea shape(AreaReader reader, boolean inside, @Nullable Double radius);
 
     /** An area within corners. */
-    @Schema(name = "PolygonGeometry", description = "An area of 3 to 100 corners.")
+    @Schema(name = "PolygonGeometry", description = "An area of 3 to 1000 corners.")
     record Polygon(
             @Schema(
                     requiredMode = Schema.RequiredMode.REQUIRED,

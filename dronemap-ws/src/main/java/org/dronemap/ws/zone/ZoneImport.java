@@ -1,125 +1,76 @@
 package org.dronemap.ws.zone;
 
-import com.fasterxml.jackson.annotation.JsonSubTypes;
-import com.fasterxml.jackson.annotation.JsonTypeInfo;
-import java.util.ArrayList;
-import java.util.List;
-import org.dronemap.ws.problem.InvalidInput;
-import org.dronemap.ws.problem.ValueProblem;
-import org.dronemap.ws.reading.JsonCodec;
-import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
-import org.jspecify.annotations.Nullable;
-import tools.jackson.databind.DeserializationFeature;
-import tools.jackson.databind.annotation.JsonTypeResolver;
-import tools.jackson.databind.json.JsonMapper;
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
+import java.nio.charset.Charset;
+import java.nio.charset.CharsetDecoder;
+import java.nio.charset.CoderResult;
+import java.nio.charset.CodingErrorAction;
+import java.nio.charset.StandardCharsets;
+import org.dronemap.ws.problem.ProblemParameter;
+import org.dronemap.ws.problem.Rejection;
+import org.dronemap.ws.problem.RequestProblem;
 
-/** Reads zones from GeoJSON or KML files made by other programs: ignores what is unknown and splits multipolygons. */
+/**
+ * Reads zones from GeoJSON, KML or KMZ files made by other programs: what cannot be a zone is named, and the rest is
+ * taken.
+ */
 final class ZoneImport {
-    private static final JsonCodec LENIENT = new JsonCodec(JsonMapper.builder()
-            .disable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
-            .build());
-    private static final String TYPES = "FeatureCollection or Feature";
+    private static final char MARK = '\uFEFF';
+    /** Bytes of a mark of byte order are no less. */
+    private static final int FIRST_OF_MARK = 0xBB;
 
     private ZoneImport() {}
 
-    /** Either a whole collection or one feature. */
-    record Document(
-            @Nullable String type,
-            @Nullable List<@Nullable Feature> features,
-            @Nullable Geometry geometry,
-            ZoneFeature.@Nullable ZoneProperties properties) {}
-
-    /** As others write them. */
-    record Feature(
-            @Nullable String type, @Nullable Geometry geometry, ZoneFeature.@Nullable ZoneProperties properties) {}
-
-    /** Of one zone, or of several. */
-    @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "type")
-    @JsonTypeResolver(ObjectOnlyTypeResolver.class)
-    @JsonSubTypes({
-        @JsonSubTypes.Type(ZoneGeometry.class),
-        @JsonSubTypes.Type(value = MultiPolygon.class, name = "MultiPolygon")
-    })
-    sealed interface Geometry permits ZoneGeometry, MultiPolygon {}
-
-    /** Several areas. */
-    record MultiPolygon(@Nullable List<@Nullable List<List<List<Double>>>> coordinates) implements Geometry {}
-
-    /** One zone to be, and where in the document it stands. */
-    record Part(String at, ZoneFeature feature) {}
-
-    static List<Part> parts(String text) {
-        if (text.stripLeading().startsWith("<")) {
-            return KmlZoneReader.parts(text);
+    /** In whatever form it is. */
+    static ZoneFile read(byte[] file) {
+        if (KmzFile.isOne(file)) {
+            KmzFile packed = KmzFile.of(file);
+            ZoneFile read = KmlZoneReader.read(packed.kml());
+            packed.others().forEach(name -> read.leaveOut(name, name, "second KML file of a KMZ"));
+            return read;
         }
-        Document document = LENIENT.read(text, Document.class);
-        if ("Feature".equals(document.type())) {
-            return parts("", new Feature("Feature", document.geometry(), document.properties()), 1);
-        }
-        if (!"FeatureCollection".equals(document.type())) {
-            throw InvalidInput.outside(ValueProblem.VALUE_NOT_ALLOWED, "type", TYPES, String.valueOf(document.type()));
-        }
-        List<@Nullable Feature> features = document.features();
-        if (features == null || features.isEmpty()) {
-            throw InvalidInput.missing("features", "a list with at least one feature");
-        }
-        List<Part> read = new ArrayList<>();
-        for (int i = 0; i < features.size(); i++) {
-            Feature feature = features.get(i);
-            if (feature == null) {
-                throw InvalidInput.missing("features[" + i + "]", "a feature");
+        return isXml(file) ? KmlZoneReader.read(file) : GeoJsonZoneReader.read(text(file));
+    }
+
+    /** The first byte that is no blank, in whatever encoding. */
+    private static boolean isXml(byte[] file) {
+        for (byte one : file) {
+            int value = one & 0xFF;
+            if (value > ' ' && value < FIRST_OF_MARK) {
+                return value == '<';
             }
-            read.addAll(parts("features[" + i + "].", feature, i + 1));
         }
-        return List.copyOf(read);
+        return false;
     }
 
-    /** An area that is nothing but its rings and a name. */
-    static ZoneFeature feature(List<List<List<Double>>> rings, String name) {
-        return named(new Feature("Feature", null, null), new ZoneGeometry.Polygon(rings), name, "");
+    /** JSON is UTF-8; what is not must not be filled in with other characters. */
+    private static String text(byte[] file) {
+        ByteBuffer bytes = ByteBuffer.wrap(file);
+        CharBuffer text = CharBuffer.allocate(file.length + 1);
+        CharsetDecoder decoder = charset(file)
+                .newDecoder()
+                .onMalformedInput(CodingErrorAction.REPORT)
+                .onUnmappableCharacter(CodingErrorAction.REPORT);
+        CoderResult end = decoder.decode(bytes, text, true);
+        text.flip();
+        if (end.isError()) {
+            String read = text.toString();
+            long line = read.chars().filter(each -> each == '\n').count() + 1;
+            int column = read.length() - read.lastIndexOf('\n');
+            throw Rejection.of(
+                    RequestProblem.JSON_UNREADABLE,
+                    "This is not JSON in UTF-8: line " + line + ", column " + column
+                            + " has a byte of another encoding; save the file as UTF-8.",
+                    ProblemParameter.LINE.is(line),
+                    ProblemParameter.COLUMN.is(column));
+        }
+        boolean marked = text.length() > 0 && text.charAt(0) == MARK;
+        return marked ? text.subSequence(1, text.length()).toString() : text.toString();
     }
 
-    private static List<Part> parts(String at, Feature feature, int number) {
-        if (!(feature.geometry() instanceof MultiPolygon several)) {
-            ZoneGeometry shape = feature.geometry() instanceof ZoneGeometry one ? one : null;
-            return List.of(new Part(at, named(feature, shape, "Zone " + number, "")));
-        }
-        List<@Nullable List<List<List<Double>>>> polygons = several.coordinates();
-        if (polygons == null) {
-            throw InvalidInput.missing(at + "geometry.coordinates", "a list of polygons");
-        }
-        List<Part> parts = new ArrayList<>();
-        for (List<List<List<Double>>> polygon : polygons) {
-            String part = polygons.size() > 1 ? " (" + (parts.size() + 1) + ")" : "";
-            parts.add(new Part(at, named(feature, new ZoneGeometry.Polygon(polygon), "Zone " + number, part)));
-        }
-        return List.copyOf(parts);
-    }
-
-    private static ZoneFeature named(Feature feature, @Nullable ZoneGeometry shape, String fallback, String part) {
-        ZoneFeature.ZoneProperties p = feature.properties();
-        if (p == null) {
-            p = new ZoneFeature.ZoneProperties(
-                    null, null, null, null, null, null, null, null, null, null, null, null, null);
-        }
-        String name = p.name() == null || p.name().isBlank() ? fallback : p.name();
-        return new ZoneFeature(
-                feature.type(),
-                null,
-                shape,
-                new ZoneFeature.ZoneProperties(
-                        name + part,
-                        p.kind(),
-                        p.radius(),
-                        p.floor(),
-                        p.ceiling(),
-                        p.altitudeReference(),
-                        p.user(),
-                        p.drone(),
-                        p.from(),
-                        p.until(),
-                        p.onBreach(),
-                        null,
-                        null));
+    private static Charset charset(byte[] file) {
+        boolean wide = file.length > 1 && ((file[0] & 0xFF) == 0xFE || (file[0] & 0xFF) == 0xFF);
+        return wide ? StandardCharsets.UTF_16 : StandardCharsets.UTF_8;
     }
 }

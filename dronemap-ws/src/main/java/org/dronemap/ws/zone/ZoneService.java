@@ -3,6 +3,7 @@ package org.dronemap.ws.zone;
 import java.time.Clock;
 import java.time.Instant;
 import java.time.temporal.ChronoUnit;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.UUID;
 import org.dronemap.core.access.AccessStore;
@@ -77,14 +78,23 @@ public final class ZoneService {
         return ZoneFeature.of(zone, principal.organisation());
     }
 
-    /** GeoJSON of others; all of it, or nothing. */
-    public ZoneFeature.ZoneCollection importZones(Principal principal, String text) {
+    /** Files of others: what cannot be a zone is named, and the rest is added. */
+    public ZoneImportView importZones(Principal principal, byte[] file) {
         RoleChecks.requireForAll(principal, Role.SUPERVISOR);
-        List<Zone> zones = ZoneImport.parts(text).stream()
-                .map(part -> read(part.at(), newId(), part.feature(), principal))
-                .toList();
+        ZoneFile found = ZoneImport.read(file);
+        List<Zone> zones = new ArrayList<>();
+        for (ZoneFile.Part part : found.parts()) {
+            try {
+                zones.add(read(part.at(), newId(), part.feature(), principal));
+            } catch (InvalidInput e) {
+                found.leaveOut(part, e);
+            }
+        }
+        if (zones.isEmpty()) {
+            throw found.nothing();
+        }
         keep(zones);
-        return ZoneFeature.ZoneCollection.of(zones, principal.organisation());
+        return ZoneImportView.of(zones, found.leftOut(), principal.organisation());
     }
 
     public synchronized void delete(Principal principal, String id) {
@@ -107,7 +117,8 @@ public final class ZoneService {
         if (known.size() + more > MOST) {
             throw Rejection.of(
                     ServerProblem.LIMIT_REACHED,
-                    "There may be " + MOST + " zones at most; there are " + known.size() + " already.",
+                    "There may be " + MOST + " zones at most; there are " + known.size() + " already, and these are "
+                            + more + " more.",
                     ProblemParameter.WHAT.is("zones"),
                     ProblemParameter.MOST.is(MOST));
         }

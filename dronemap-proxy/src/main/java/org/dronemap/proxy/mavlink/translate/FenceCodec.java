@@ -120,7 +120,7 @@ public final class FenceCodec {
         };
     }
 
-    /** What an item of a fence or of rally points has beside its place. */
+    /** Command, first parameter, frame and height of an item: all that it has beside its place. */
     private record Wire(int command, double first, int frame, double altitude) {
         static Wire part(int command, double first) {
             return new Wire(command, first, MissionCodec.FRAME_GLOBAL, 0);

@@ -1,0 +1,104 @@
+package org.dronemap.core.parameter;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.regex.Pattern;
+
+/**
+ * Reads parameter files as QGroundControl, Mission Planner, MAVProxy and ArduPilot write them: name and value in a line,
+ * apart by a comma, an equals sign or blanks, or in the third and fourth of five columns apart by tabs; the rest of a
+ * line after # is a remark. Whole numbers may be hexadecimal. Lines that say something else are named, and the others
+ * count. Used once, by one thread.
+ */
+final class ParameterFileReader {
+    private static final int TABLE_COLUMNS = 5;
+    private static final int MOST_LINES = 20_000;
+    private static final String AUTOPILOT = "1";
+    private static final String MARK = "\uFEFF";
+    private static final String READ_ONLY = "@READONLY";
+    private static final Pattern APART = Pattern.compile("\\s*[,=]\\s*|\\s+");
+    private static final Pattern HEXADECIMAL = Pattern.compile("[+-]?0[xX][0-9a-fA-F]{1,13}");
+
+    private final Map<String, ParameterValue> values = new LinkedHashMap<>();
+    private final List<ParameterFileContent.LeftOut> leftOut = new ArrayList<>();
+
+    private ParameterFileReader() {}
+
+    /** Throws {@link IllegalArgumentException} for a file that is too long. */
+    static ParameterFileContent read(String text) {
+        ParameterFileReader reader = new ParameterFileReader();
+        int number = 0;
+        String unmarked = text.startsWith(MARK) ? text.substring(MARK.length()) : text;
+        for (String whole : unmarked.lines().toList()) {
+            number++;
+            if (number > MOST_LINES) {
+                throw new IllegalArgumentException("the file has more than " + MOST_LINES + " lines");
+            }
+            int remark = whole.indexOf('#');
+            String line = (remark < 0 ? whole : whole.substring(0, remark)).strip();
+            if (!line.isEmpty()) {
+                reader.line(line, number);
+            }
+        }
+        return new ParameterFileContent(List.copyOf(reader.values.values()), reader.leftOut);
+    }
+
+    private void line(String line, int number) {
+        String[] table = line.split("\t", -1);
+        if (table.length >= TABLE_COLUMNS) {
+            String component = table[1].strip();
+            if (component.equals(AUTOPILOT)) {
+                value(table[2].strip(), table[3].strip(), number);
+            } else {
+                leaveOut(
+                        number,
+                        shortened(table[2].strip()) + " is of component " + shortened(component)
+                                + ", not of the autopilot (component 1).");
+            }
+            return;
+        }
+        String[] pair = APART.split(line, -1);
+        if (line.startsWith("@")) {
+            leaveOut(number, "\"" + shortened(line) + "\" is an instruction, which is not followed.");
+        } else if (pair.length == 3 && pair[2].equals(READ_ONLY)) {
+            value(pair[0], pair[1], number);
+        } else if (pair.length == 2) {
+            value(pair[0], pair[1], number);
+        } else {
+            leaveOut(number, "\"" + shortened(line) + "\" is no name with a value.");
+        }
+    }
+
+    private void value(String name, String written, int number) {
+        try {
+            ParameterValue value = new ParameterValue(name, number(written));
+            ParameterValue before = values.put(name, value);
+            if (before != null && before.value() != value.value()) {
+                leaveOut(
+                        number,
+                        name + " comes again: " + written + " counts, and "
+                                + Parameter.text(ParameterType.REAL64, before.value()) + " before does not.");
+            }
+        } catch (NumberFormatException e) {
+            leaveOut(number, "The value of " + shortened(name) + ", \"" + shortened(written) + "\", is no number.");
+        } catch (IllegalArgumentException e) {
+            String why = String.valueOf(e.getMessage());
+            leaveOut(number, why.substring(0, 1).toUpperCase(Locale.ROOT) + why.substring(1) + ".");
+        }
+    }
+
+    private static double number(String written) {
+        return HEXADECIMAL.matcher(written).matches() ? Long.decode(written) : Double.parseDouble(written);
+    }
+
+    private void leaveOut(int line, String why) {
+        leftOut.add(new ParameterFileContent.LeftOut(line, why));
+    }
+
+    private static String shortened(String text) {
+        return text.length() <= 40 ? text : text.substring(0, 40) + "…";
+    }
+}
