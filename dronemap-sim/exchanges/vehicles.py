@@ -9,6 +9,7 @@ from pymavlink import mavutil
 
 from exchange import Exchange
 from exchanges import EXCHANGES
+from planes import PLANE_EXCHANGES, QUADPLANE_EXCHANGES
 from rover_exchanges import ROVER_EXCHANGES
 
 
@@ -24,6 +25,8 @@ class Vehicle:
 
 VEHICLES: Mapping[str, Vehicle] = {
     "copter": Vehicle("+", "copter.parm", dict(mavutil.mode_mapping_acm), EXCHANGES),
+    "plane": Vehicle("plane", "plane.parm", dict(mavutil.mode_mapping_apm), PLANE_EXCHANGES),
+    "quadplane": Vehicle("quadplane", "quadplane.parm", dict(mavutil.mode_mapping_apm), QUADPLANE_EXCHANGES),
     "rover": Vehicle("rover", "rover.parm", dict(mavutil.mode_mapping_rover), ROVER_EXCHANGES),
 }
 ALL_EXCHANGES: tuple[Exchange, ...] = tuple(exchange for vehicle in VEHICLES.values() for exchange in vehicle.exchanges)

@@ -6,15 +6,18 @@ import org.dronemap.sim.autopilot.AutopilotKind;
 import org.dronemap.sim.autopilot.SimulatedVehicle;
 import org.dronemap.sim.autopilot.SimulatedVehicleSettings;
 import org.dronemap.sim.autopilot.arducopter.SimulatedArduCopter;
+import org.dronemap.sim.autopilot.arduplane.SimulatedArduPlane;
 import org.dronemap.sim.autopilot.ardurover.SimulatedArduRover;
 import org.dronemap.sim.autopilot.px4.SimulatedPx4;
 import org.dronemap.sim.flight.NavigationEstimator;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.link.SimulatedFleet;
 import org.dronemap.sim.physics.BatteryModel;
+import org.dronemap.sim.physics.FixedWingBody;
 import org.dronemap.sim.physics.GroundBody;
 import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.NeuPosition;
+import org.dronemap.sim.physics.QuadPlaneBody;
 import org.dronemap.sim.physics.WindModel;
 
 /** Builds the simulated fleet: vehicles on a square grid, ten metres apart, north-east of home. */
@@ -29,6 +32,20 @@ final class SimulatedFleetBuilder {
     static final AutopilotKind ARDUROVER = new AutopilotKind(
             "ardurover", "\n\nInit ArduRover V4.5.6 (simulated)\n\n", () -> new GroundBody(0), SimulatedArduRover::new);
     static final AutopilotKind PX4 = new AutopilotKind("px4", "", SimulatedPx4::new);
+
+    /** Where its nose points as it stands; the aeroplane that was recorded stood so. */
+    private static final double RUNWAY = Math.toRadians(353);
+
+    static final AutopilotKind ARDUPLANE = new AutopilotKind(
+            "arduplane",
+            "\n\nInit ArduPlane V4.5.6 (simulated)\n\n",
+            () -> new FixedWingBody(RUNWAY),
+            SimulatedArduPlane::new);
+    static final AutopilotKind QUADPLANE = new AutopilotKind(
+            "quadplane",
+            "\n\nInit ArduPlane V4.5.6 (simulated)\n\n",
+            () -> new QuadPlaneBody(RUNWAY),
+            SimulatedArduPlane::quadPlane);
 
     private final SimulatorOptions options;
     private final long epochMicros;
@@ -83,6 +100,8 @@ final class SimulatedFleetBuilder {
         return switch (options.personality().toLowerCase(Locale.ROOT)) {
             case "px4" -> PX4;
             case "ardurover" -> ARDUROVER;
+            case "arduplane" -> ARDUPLANE;
+            case "quadplane" -> QUADPLANE;
             case "mixed" -> index % 2 == 0 ? ARDUCOPTER : PX4;
             default -> ARDUCOPTER;
         };

@@ -18,6 +18,9 @@ final class RecordedScenario {
     private static final int HOME_LONGITUDE = 1_491_652_299;
     private static final String REAL_READY_SECONDS = "40.4";
     private static final String NEVER_SECONDS = "600";
+    private static final String PLANE_READY_SECONDS = "36.5";
+    /** The first heartbeat of its first mode comes a few milliseconds before it says that it is ready. */
+    private static final long FIRST_BEAT_MILLIS = 10;
 
     private final List<RecordedLine> lines;
     private final VehicleTestBench bench;
@@ -29,13 +32,14 @@ final class RecordedScenario {
         boolean fromPowerUp = exchange.preparation.equals("power-up");
         List<RecordedLine> all = RecordedLine.read(exchange.fileName());
         // Nothing said before the real one had booted is replayed: it forgets that when it is ready.
-        this.begin = fromPowerUp ? millisOf(all, "ArduPilot Ready") : 0;
+        this.begin = fromPowerUp ? millisOf(all, "ArduPilot Ready") - FIRST_BEAT_MILLIS : 0;
         this.lines = all.stream().filter(line -> line.millis() >= begin).toList();
         RecordedVehicle vehicle = RecordedVehicle.of(exchange);
         this.bench = exchange.preparation.equals("never a position")
                 ? VehicleTestBench.ready(vehicle.optionsReadyAfter(NEVER_SECONDS))
                 : fromPowerUp
-                        ? new VehicleTestBench(vehicle.optionsReadyAfter(REAL_READY_SECONDS))
+                        ? new VehicleTestBench(vehicle.optionsReadyAfter(
+                                vehicle == RecordedVehicle.PLANE ? PLANE_READY_SECONDS : REAL_READY_SECONDS))
                         : standingOrFlying(height, vehicle.options());
         prepare(exchange.preparation);
         if (height > 0) {
@@ -87,25 +91,18 @@ final class RecordedScenario {
                 bench.run(12);
             }
             case "", "power-up" -> {}
-            default -> prepareRover(preparation);
+            case "never a position" -> bench.parameter("ARMING_CHECK", 0);
+            default -> setParameters(preparation);
         }
     }
 
-    private void prepareRover(String preparation) {
-        switch (preparation) {
-            case "battery, rover" -> {
-                bench.parameter("BATT_LOW_VOLT", 11.5);
-                bench.parameter("BATT_CRT_VOLT", 10.5);
-                bench.parameter("BATT_FS_LOW_ACT", 1);
-                bench.parameter("BATT_FS_CRT_ACT", 2);
+    private void setParameters(String preparation) {
+        for (String setting : preparation.split(" ")) {
+            String[] parts = setting.split("=");
+            if (parts.length != 2) {
+                throw new IllegalArgumentException("no such preparation: " + preparation);
             }
-            case "never a position" -> bench.parameter("ARMING_CHECK", 0);
-            case "ground station, rover goes on" -> bench.parameter("FS_GCS_ENABLE", 2);
-            case "ground station, rover returns" -> {
-                bench.parameter("FS_GCS_ENABLE", 1);
-                bench.parameter("FS_ACTION", 1);
-            }
-            default -> throw new IllegalArgumentException("no such preparation: " + preparation);
+            bench.parameter(parts[0], Double.parseDouble(parts[1]));
         }
     }
 

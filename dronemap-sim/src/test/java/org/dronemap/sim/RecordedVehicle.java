@@ -3,6 +3,8 @@ package org.dronemap.sim;
 /** A kind of vehicle that exchanges were recorded of; their names begin with its name, those of ArduCopter with none. */
 enum RecordedVehicle {
     COPTER("arducopter"),
+    PLANE("arduplane"),
+    QUADPLANE("quadplane"),
     ROVER("ardurover");
 
     private static final String HOME = "-35.3632610,149.1652299,584.05";

@@ -2,6 +2,7 @@ package org.dronemap.sim;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import org.dronemap.mavlink.message.CommandAck;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.MissionAck;
@@ -16,16 +17,28 @@ import org.dronemap.mavlink.message.Statustext;
 record VehicleAnswer(String kind, String text, long millis) {
     /** Beginnings of sentences that are not compared: sensors that are not simulated one by one, the half-minute complaints. */
     static final List<String> LEFT_OUT = List.of(
+            "EKF2",
             "EKF3",
             "EKF primary",
             "SIM ",
             "AHRS",
             "GPS 1: detected",
+            "Barometer ",
+            "Airspeed 1 calibrat",
+            "Throttle failsafe off",
             "PreArm: ",
             "ArduPilot Ready",
             "INS: ",
             "RC7: ",
             "Field Elevation Set");
+
+    /** Beginnings of sentences whose figures are measured ones: the words alone are compared. */
+    private static final Pattern MEASURED = Pattern.compile(
+            "^(Takeoff |Holding course|Armed AUTO|Triggered AUTO|Flare |Distance from LAND|Landing approach"
+                    + "|Landing glide|VTOL |Transition |Battery 1 is).*");
+
+    private static final Pattern FIGURE = Pattern.compile("-?\\d+(\\.\\d+)?");
+    private static final Pattern DISTANCE = Pattern.compile(" dist \\d+m$");
 
     String line() {
         return kind + " " + text;
@@ -90,6 +103,7 @@ record VehicleAnswer(String kind, String text, long millis) {
                 return Optional.empty();
             }
         }
-        return Optional.of(new VehicleAnswer("text", text.replaceAll("[\\d.]+V used .*", "V used"), at));
+        String told = MEASURED.matcher(text).matches() ? FIGURE.matcher(text).replaceAll("#") : text;
+        return Optional.of(new VehicleAnswer("text", DISTANCE.matcher(told).replaceAll(" dist"), at));
     }
 }

@@ -44,6 +44,11 @@ public interface SimulatedAutopilot {
     /** MAV_LANDED_STATE. */
     int landedState();
 
+    /** MAV_VTOL_STATE; 0 of a vehicle that has not both wings and lift motors. */
+    default int vtolState() {
+        return 0;
+    }
+
     boolean readyToArm();
 
     SimulatedCraft craft();
@@ -85,12 +90,12 @@ public interface SimulatedAutopilot {
 
     boolean inMissionMode();
 
-    /** What it says when the item is done; empty: nothing. */
+    boolean setCurrentItem(int index);
+
+    /** What it says when an item of its mission is reached; empty when it says nothing, or has said it itself. */
     default String reachedText(int index) {
         return "";
     }
-
-    boolean setCurrentItem(int index);
 
     /** A mission may be cleared now. */
     boolean mayClearMission();

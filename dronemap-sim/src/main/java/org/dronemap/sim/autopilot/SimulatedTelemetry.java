@@ -57,7 +57,7 @@ public final class SimulatedTelemetry {
             case VfrHud.ID -> hud();
             case BatteryStatus.ID -> battery();
             case HomePosition.ID -> home(craft);
-            case ExtendedSysState.ID -> new ExtendedSysState(0, autopilot.landedState());
+            case ExtendedSysState.ID -> new ExtendedSysState(autopilot.vtolState(), autopilot.landedState());
             case AutopilotVersion.ID -> version();
             case Wind.ID -> wind();
             case ServoOutputRaw.ID -> autopilot.payload().outputs(nowMillis);

@@ -21,14 +21,19 @@ public record SimulatedMissionItem(
 
     public static final int WAYPOINT = 16;
     public static final int LOITER_UNLIMITED = 17;
+    public static final int LOITER_TURNS = 18;
     public static final int LOITER_TIME = 19;
     public static final int RETURN_TO_LAUNCH = 20;
     public static final int LAND = 21;
     public static final int TAKEOFF = 22;
+    public static final int LOITER_TO_ALTITUDE = 31;
+    public static final int VTOL_TAKEOFF = 84;
+    public static final int VTOL_LAND = 85;
     public static final int DELAY = 93;
     public static final int CONDITION_YAW = 115;
     public static final int CHANGE_SPEED = 178;
     public static final int SET_SERVO = 183;
+    public static final int LAND_START = 189;
     public static final int LOOK_AT = 195;
     public static final int LOOK_AHEAD = 197;
     public static final int SET_ROI = 201;
@@ -65,7 +70,7 @@ public record SimulatedMissionItem(
         return isFlown() || isCondition() || isSetting();
     }
 
-    /** A navigation item that the simulated vehicles can fly. */
+    /** A navigation item that every simulated vehicle can fly. */
     public boolean isFlown() {
         return switch (command) {
             case WAYPOINT, LOITER_UNLIMITED, LOITER_TIME, RETURN_TO_LAUNCH, LAND, TAKEOFF, DELAY -> true;
@@ -101,14 +106,19 @@ public record SimulatedMissionItem(
         return switch (command) {
             case WAYPOINT -> "WP";
             case LOITER_UNLIMITED -> "LoitUnlim";
+            case LOITER_TURNS -> "LoitTurns";
             case LOITER_TIME -> "LoitTime";
+            case LOITER_TO_ALTITUDE -> "LoitAltitude";
             case RETURN_TO_LAUNCH -> "RTL";
             case LAND -> "Land";
             case TAKEOFF -> "Takeoff";
+            case VTOL_TAKEOFF -> "VTOLTakeoff";
+            case VTOL_LAND -> "VTOLLand";
             case DELAY -> "Delay";
             case CONDITION_YAW -> "CondYaw";
             case CHANGE_SPEED -> "ChangeSpeed";
             case SET_SERVO -> "SetServo";
+            case LAND_START -> "LandStart";
             case LOOK_AT, LOOK_AHEAD, SET_ROI -> "ROI";
             case DIGICAM_CONTROL -> "DigiCamCtrl";
             default -> "Cmd" + command;

@@ -22,6 +22,12 @@ public record Airframe(
         return new Airframe(2.5, 1.3, 1.0, Math.toRadians(60), Math.toRadians(35), 0.25, 11.8, Math.toRadians(degrees));
     }
 
+    /** The lift motors of an aeroplane, whose propeller at the nose makes it gather speed quicker than they could. */
+    public static Airframe lifted() {
+        return new Airframe(
+                3.5, 1.3, 1.0, Math.toRadians(60), Math.toRadians(35), 0.25, 11.8, Double.POSITIVE_INFINITY);
+    }
+
     boolean isNeverAtItsEnd() {
         return Double.isInfinite(asksToLean);
     }

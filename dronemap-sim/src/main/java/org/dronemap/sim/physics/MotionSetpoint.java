@@ -18,4 +18,13 @@ public sealed interface MotionSetpoint {
 
     /** Be at a place that moves with a velocity in m/s, and come up to it with the speeds of {@code place}. */
     record Track(Reach place, double north, double east, double up) implements MotionSetpoint {}
+
+    /**
+     * Fly on wings: bend the path by so many m/s² to the right, with an airspeed in m/s, rising by so many m/s; a
+     * {@code run} is the way along the runway before and during a take-off, with full power.
+     */
+    record Wing(double lateral, double airspeed, double climb, boolean run) implements MotionSetpoint {}
+
+    /** Glide with the wings level and no power, or roll out on the ground. */
+    record Glide() implements MotionSetpoint {}
 }

@@ -34,6 +34,19 @@ public final class MulticopterBody implements VehicleBody {
         this.yaw = yaw;
     }
 
+    /** Goes on from where another body is, such as one that its wings bore. */
+    void continueFrom(VehicleBody other) {
+        north = other.position().north();
+        east = other.position().east();
+        up = other.up();
+        velocityNorth = other.velocityNorth();
+        velocityEast = other.velocityEast();
+        velocityUp = other.velocityUp();
+        roll = other.roll();
+        pitch = other.pitch();
+        yaw = other.yaw();
+    }
+
     @Override
     public void step(MotionSetpoint setpoint, WindModel wind, double seconds) {
         if (!(setpoint instanceof MotionSetpoint.Track)) {

@@ -48,7 +48,7 @@ public class ArmingChecks {
     }
 
     /** Until the sensors have settled a mode that flies without a position says nothing about it. */
-    private void checkPosition(ArduPilotMode mode, List<String> found) {
+    protected void checkPosition(ArduPilotMode mode, List<String> found) {
         NavigationEstimator navigation = craft.navigation();
         if (!mode.needsPosition() && (!found.isEmpty() || !wantsPositionInEveryMode())) {
             return;
