@@ -184,6 +184,7 @@ def mission_drive(link: VehicleLink) -> None:
     """AUTO by MISSION_START from HOLD: waypoints, a wait of 3 s, complete; then MISSION_START and AUTO once more."""
     ready(link)
     start(link)
+    link.pump_for(1)
     upload(link, drive(link.position))
     link.set_mode_and_acknowledge("HOLD")
     link.pump_for(1)

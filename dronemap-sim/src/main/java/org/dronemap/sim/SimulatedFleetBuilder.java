@@ -99,9 +99,9 @@ final class SimulatedFleetBuilder {
     private AutopilotKind kind(int index) {
         return switch (options.personality().toLowerCase(Locale.ROOT)) {
             case "px4" -> PX4;
+            case "ardurover" -> ARDUROVER;
             case "arduplane" -> ARDUPLANE;
             case "quadplane" -> QUADPLANE;
-            case "ardurover" -> ARDUROVER;
             case "mixed" -> index % 2 == 0 ? ARDUCOPTER : PX4;
             default -> ARDUCOPTER;
         };

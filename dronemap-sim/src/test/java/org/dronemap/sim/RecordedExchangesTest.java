@@ -51,7 +51,13 @@ class RecordedExchangesTest {
     @ParameterizedTest
     @EnumSource(
             mode = EnumSource.Mode.EXCLUDE,
-            names = {"MISSION_FROM_THE_AIR", "MISSION_UPLOAD_REFUSED", "PLANE_MISSION_UPLOAD"})
+            names = {
+                "MISSION_FROM_THE_AIR",
+                "MISSION_UPLOAD_REFUSED",
+                "PLANE_MISSION_UPLOAD",
+                "ROVER_GROUND_STATION_LOST_IN_AUTO",
+                "ROVER_MISSION_UPLOAD"
+            })
     void tellsTheSameProgress(RecordedExchange exchange) {
         RecordedScenario scene = new RecordedScenario(exchange);
         scene.play();

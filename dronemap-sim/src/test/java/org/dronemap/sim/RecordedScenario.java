@@ -17,11 +17,10 @@ final class RecordedScenario {
     private static final int HOME_LATITUDE = -353_632_610;
     private static final int HOME_LONGITUDE = 1_491_652_299;
     private static final String REAL_READY_SECONDS = "40.4";
+    private static final String NEVER_SECONDS = "600";
     private static final String PLANE_READY_SECONDS = "36.5";
     /** The first heartbeat of its first mode comes a few milliseconds before it says that it is ready. */
     private static final long FIRST_BEAT_MILLIS = 10;
-
-    private static final String NEVER_SECONDS = "600";
 
     private final List<RecordedLine> lines;
     private final VehicleTestBench bench;
@@ -36,7 +35,12 @@ final class RecordedScenario {
         this.begin = fromPowerUp ? millisOf(all, "ArduPilot Ready") - FIRST_BEAT_MILLIS : 0;
         this.lines = all.stream().filter(line -> line.millis() >= begin).toList();
         RecordedVehicle vehicle = RecordedVehicle.of(exchange);
-        this.bench = bench(vehicle, exchange);
+        this.bench = exchange.preparation.equals("never a position")
+                ? VehicleTestBench.ready(vehicle.optionsReadyAfter(NEVER_SECONDS))
+                : fromPowerUp
+                        ? new VehicleTestBench(vehicle.optionsReadyAfter(
+                                vehicle == RecordedVehicle.PLANE ? PLANE_READY_SECONDS : REAL_READY_SECONDS))
+                        : standingOrFlying(height, vehicle.options());
         prepare(exchange.preparation);
         if (height > 0) {
             flyToWhereItBegan(height);

@@ -183,12 +183,14 @@ class SimulatedArduRoverTest {
     }
 
     @Test
-    void drivesBackIntoItsCircleWhenItLoiters() {
+    void brakesWhenItLoiters() {
         VehicleTestBench bench = armed(GUIDED);
         goTo(bench, 100, 0, 0);
         bench.run(8);
+        NeuPosition begun = bench.vehicle.craft().body().position();
         assertThat(bench.command(176, 1, LOITER)).isZero();
-        bench.run(15);
+        bench.run(10);
+        assertThat(away(bench, begun.north(), begun.east())).isLessThan(15);
         assertThat(speed(bench)).isLessThan(0.1);
         assertThat(bench.mode()).isEqualTo(LOITER);
     }

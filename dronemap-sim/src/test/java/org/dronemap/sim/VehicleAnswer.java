@@ -103,9 +103,7 @@ record VehicleAnswer(String kind, String text, long millis) {
                 return Optional.empty();
             }
         }
-        String told = MEASURED.matcher(text).matches()
-                ? FIGURE.matcher(text).replaceAll("#")
-                : text.replaceAll("[\\d.]+V used .*", "V used");
+        String told = MEASURED.matcher(text).matches() ? FIGURE.matcher(text).replaceAll("#") : text;
         return Optional.of(new VehicleAnswer("text", DISTANCE.matcher(told).replaceAll(" dist"), at));
     }
 }
