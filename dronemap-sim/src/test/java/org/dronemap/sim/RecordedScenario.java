@@ -59,16 +59,6 @@ final class RecordedScenario {
                 .orElseThrow();
     }
 
-    private static VehicleTestBench bench(RecordedVehicle vehicle, RecordedExchange exchange) {
-        return switch (exchange.preparation) {
-            case "never a position" -> VehicleTestBench.ready(vehicle.optionsReadyAfter(NEVER_SECONDS));
-            case "power-up" ->
-                new VehicleTestBench(vehicle.optionsReadyAfter(
-                        vehicle == RecordedVehicle.PLANE ? PLANE_READY_SECONDS : REAL_READY_SECONDS));
-            default -> standingOrFlying(exchange.height, vehicle.options());
-        };
-    }
-
     private static VehicleTestBench standingOrFlying(double height, String[] options) {
         return height > 0 ? VehicleTestBench.flying(height, options) : VehicleTestBench.ready(options);
     }

@@ -20,8 +20,8 @@ public final class MissionWriter {
     private static final double HIGHEST_TAKE_OFF_METERS = 500;
     private static final double LONGEST_HOLD_SECONDS = 3_600;
     /** What sums of seconds are off by. */
-
     private final Craft craft;
+
     private final VehicleKind kind;
     private final MissionAbilities takes;
 

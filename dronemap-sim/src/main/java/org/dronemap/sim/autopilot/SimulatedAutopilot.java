@@ -92,6 +92,11 @@ public interface SimulatedAutopilot {
 
     boolean setCurrentItem(int index);
 
+    /** What it says when an item of its mission is reached; empty when it says nothing, or has said it itself. */
+    default String reachedText(int index) {
+        return "";
+    }
+
     /** A mission may be cleared now. */
     boolean mayClearMission();
 
