@@ -16,13 +16,13 @@ from dataclasses import astuple, dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from pymavlink import mavutil
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
 from missions import next_mission_message, send_count
 from record_exchanges import running
 from transcript import plain
 from vehicle_link import VehicleLink
+from vehicles import VEHICLES
 
 NAN = float("nan")
 FIRST_NOT_FLOWN = 95
@@ -123,13 +123,15 @@ def main() -> None:
     """Start the vehicle, ask, write the file."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--sitl", type=Path, required=True, metavar="PATH", help="the binary of the vehicle")
-    parser.add_argument("--defaults", type=Path, help="parameter defaults (default: copter.parm beside the binary)")
+    parser.add_argument("--vehicle", choices=VEHICLES, default="copter", help="which one it is (default copter)")
+    parser.add_argument(
+        "--defaults", type=Path, help="parameter defaults (default: copter.parm and the like beside it)"
+    )
     parser.add_argument("--port", type=int, default=15_700, help="two UDP ports from here on (default 15700)")
     parser.add_argument("--out", type=Path, default=ITEMS / "arducopter.jsonl", help="the file to write")
     options = parser.parse_args()
-    defaults = options.defaults or options.sitl.parent / "copter.parm"
-    with tempfile.TemporaryDirectory() as folder, running(options.sitl, defaults, options.port, folder):
-        link = VehicleLink(f"udpin:127.0.0.1:{options.port}", dict(mavutil.mode_mapping_acm))
+    with tempfile.TemporaryDirectory() as folder, running(options, options.port, folder):
+        link = VehicleLink(f"udpin:127.0.0.1:{options.port}", VEHICLES[options.vehicle].mode_names)
         try:
             link.wait_until("first HEARTBEAT", lambda: link.system_id != 0, 30)
             link.pump_for(5)

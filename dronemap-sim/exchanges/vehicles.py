@@ -9,6 +9,7 @@ from pymavlink import mavutil
 
 from exchange import Exchange
 from exchanges import EXCHANGES
+from firmware_exchanges import FIRMWARE_EXCHANGES
 
 
 @dataclass(frozen=True)
@@ -22,6 +23,6 @@ class Vehicle:
 
 
 VEHICLES: Mapping[str, Vehicle] = {
-    "copter": Vehicle("+", "copter.parm", dict(mavutil.mode_mapping_acm), EXCHANGES),
+    "copter": Vehicle("+", "copter.parm", dict(mavutil.mode_mapping_acm), (*EXCHANGES, *FIRMWARE_EXCHANGES)),
 }
 ALL_EXCHANGES: tuple[Exchange, ...] = tuple(exchange for vehicle in VEHICLES.values() for exchange in vehicle.exchanges)

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import org.dronemap.mavlink.message.EkfStatusReport;
 import org.dronemap.mavlink.message.ExtendedSysState;
+import org.dronemap.mavlink.message.FenceStatus;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.mavlink.message.MissionCurrent;
 import org.dronemap.mavlink.message.MissionItemInt;
@@ -83,8 +85,12 @@ final class RecordedScenario {
                 bench.parameter("ARMING_CHECK", 0);
                 bench.run(12);
             }
+            case "after a mission" -> {
+                bench.upload(recordedItems(6));
+                FirmwarePreparations.flyMission(bench);
+            }
             case "", "power-up" -> {}
-            default -> throw new IllegalArgumentException("no such preparation: " + preparation);
+            default -> FirmwarePreparations.prepare(bench, preparation);
         }
     }
 
@@ -94,6 +100,8 @@ final class RecordedScenario {
             bench.command(511, id, 100_000);
         }
         bench.command(511, MissionCurrent.ID, 200_000);
+        bench.command(511, FenceStatus.ID, 200_000);
+        bench.command(511, EkfStatusReport.ID, 500_000);
         bench.command(511, SysStatus.ID, 500_000);
     }
 

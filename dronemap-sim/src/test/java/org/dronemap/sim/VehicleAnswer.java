@@ -89,6 +89,6 @@ record VehicleAnswer(String kind, String text, long millis) {
                 return Optional.empty();
             }
         }
-        return Optional.of(new VehicleAnswer("text", text.replaceAll("used .*", "used"), at));
+        return Optional.of(new VehicleAnswer("text", text.replaceAll("[\\d.]+V used .*", "V used"), at));
     }
 }

@@ -133,6 +133,9 @@ public final class ArduPilotMission {
         if (completed && craft.landed()) {
             return 0;
         }
+        if (completed) {
+            return Math.max(0, plan.size() - 1);
+        }
         return flown == null ? resumeItem : Math.min(flown.index(), Math.max(0, plan.size() - 1));
     }
 

@@ -47,13 +47,13 @@ public class ArmingChecks {
         }
     }
 
-    /** Until the sensors have settled a mode that flies without a position says nothing about it. */
+    /** A mode that flies without a position is armable long before there is one. */
     private void checkPosition(ArduPilotMode mode, List<String> found) {
         NavigationEstimator navigation = craft.navigation();
-        if (!mode.needsPosition() && !found.isEmpty()) {
+        if (!mode.needsPosition()) {
             return;
         }
-        if (!navigation.hasFix()) {
+        if (!navigation.isReceiving()) {
             found.add("GPS 1: Bad fix");
         } else if (!navigation.hasOrigin()) {
             found.add("AHRS: waiting for home");
