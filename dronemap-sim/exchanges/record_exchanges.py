@@ -95,7 +95,7 @@ def record(exchange: Exchange, address: str, options: argparse.Namespace) -> Non
             link.request_rates()
             for name, value in exchange.parameters.items():
                 link.set_parameter(name, value)
-        link.transcript = Transcript(options.out / f"{exchange.name}.jsonl", mode_names)
+        link.transcript = Transcript(options.out / f"{exchange.name}.jsonl", mode_names, link.clock)
         try:
             exchange.run(link)
         finally:

@@ -15,6 +15,7 @@ GROUND_STATION_SYSTEM_ID = 255
 GROUND_STATION_COMPONENT_ID = 190
 HEARTBEAT_INTERVAL_SECONDS = 1.0
 RECEIVE_TIMEOUT_SECONDS = 0.02
+SLOWEST = 5  # so many seconds of this machine may one of the vehicle's take
 
 # Message id → rate in Hz that the recording needs (an autopilot sends little unasked).
 WANTED_RATES_HZ: Mapping[int, float] = {
@@ -24,6 +25,7 @@ WANTED_RATES_HZ: Mapping[int, float] = {
     mavlink.MAVLINK_MSG_ID_EXTENDED_SYS_STATE: 10,
     mavlink.MAVLINK_MSG_ID_MISSION_CURRENT: 5,
     mavlink.MAVLINK_MSG_ID_EKF_STATUS_REPORT: 2,
+    mavlink.MAVLINK_MSG_ID_SYSTEM_TIME: 20,
 }
 
 
@@ -50,12 +52,21 @@ class VehicleLink:
         self.transcript: Transcript | None = None
         self.log_heartbeats = False
         self.system_id = 0
+        self._clock_ahead: float | None = None
+        self._booted_seconds = 0.0
         self.last: dict[str, Any] = {}
         self.counts: dict[str, int] = {}
 
     def close(self) -> None:
         """Give the socket back."""
         self._connection.close()
+
+    def clock(self) -> float:
+        """Seconds by the vehicle's own clock: in simulation a busy machine makes it go slower than this one's.
+
+        Until the vehicle has told its time, this machine's.
+        """
+        return time.monotonic() if self._clock_ahead is None else self._booted_seconds + self._clock_ahead
 
     # --- sending -------------------------------------------------------------------------------------------
 
@@ -112,13 +123,16 @@ class VehicleLink:
 
     def pump_for(self, seconds: float) -> None:
         """Only watch for so long."""
-        deadline = time.monotonic() + seconds
-        while time.monotonic() < deadline:
+        deadline = self.clock() + seconds
+        given_up_at = time.monotonic() + seconds * SLOWEST
+        while self.clock() < deadline:
+            if time.monotonic() > given_up_at:
+                raise ExchangeError("the vehicle's clock stands still")
             self.pump()
 
     def wait_until(self, what: str, condition: Callable[[], bool], seconds: float) -> None:
         """Pump until the state is so."""
-        deadline = time.monotonic() + seconds
+        deadline = time.monotonic() + seconds * SLOWEST
         while not condition():
             if time.monotonic() > deadline:
                 raise ExchangeError(f"waited {seconds} s in vain: {what}")
@@ -126,7 +140,7 @@ class VehicleLink:
 
     def expect(self, what: str, wanted: Callable[[Any], bool], seconds: float) -> Any:
         """The first wanted message received since the last call; earlier ones are passed over."""
-        deadline = time.monotonic() + seconds
+        deadline = time.monotonic() + seconds * SLOWEST
         while True:
             while self._inbox:
                 message = self._inbox.pop(0)
@@ -221,6 +235,10 @@ class VehicleLink:
         kind: str = message.get_type()
         if kind == "HEARTBEAT" and not self.system_id:
             self.system_id = message.get_srcSystem()
+        if kind == "SYSTEM_TIME":
+            self._booted_seconds = max(self._booted_seconds, message.time_boot_ms / 1000)
+            if self._clock_ahead is None:
+                self._clock_ahead = time.monotonic() - self._booted_seconds
         self.last[kind] = message
         self.counts[kind] = self.counts.get(kind, 0) + 1
         self._inbox.append(message)

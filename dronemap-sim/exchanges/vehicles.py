@@ -10,6 +10,7 @@ from pymavlink import mavutil
 from exchange import Exchange
 from exchanges import EXCHANGES
 from firmware_exchanges import FIRMWARE_EXCHANGES
+from rover_exchanges import ROVER_EXCHANGES
 
 
 @dataclass(frozen=True)
@@ -24,5 +25,6 @@ class Vehicle:
 
 VEHICLES: Mapping[str, Vehicle] = {
     "copter": Vehicle("+", "copter.parm", dict(mavutil.mode_mapping_acm), (*EXCHANGES, *FIRMWARE_EXCHANGES)),
+    "rover": Vehicle("rover", "rover.parm", dict(mavutil.mode_mapping_rover), ROVER_EXCHANGES),
 }
 ALL_EXCHANGES: tuple[Exchange, ...] = tuple(exchange for vehicle in VEHICLES.values() for exchange in vehicle.exchanges)

@@ -6,11 +6,13 @@ import org.dronemap.sim.autopilot.AutopilotKind;
 import org.dronemap.sim.autopilot.SimulatedVehicle;
 import org.dronemap.sim.autopilot.SimulatedVehicleSettings;
 import org.dronemap.sim.autopilot.arducopter.SimulatedArduCopter;
+import org.dronemap.sim.autopilot.ardurover.SimulatedArduRover;
 import org.dronemap.sim.autopilot.px4.SimulatedPx4;
 import org.dronemap.sim.flight.NavigationEstimator;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.link.SimulatedFleet;
 import org.dronemap.sim.physics.BatteryModel;
+import org.dronemap.sim.physics.GroundBody;
 import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.NeuPosition;
 import org.dronemap.sim.physics.SensorNoise;
@@ -27,6 +29,8 @@ final class SimulatedFleetBuilder {
 
     static final AutopilotKind ARDUCOPTER =
             new AutopilotKind("arducopter", "\n\nInit ArduCopter V4.5.5 (simulated)\n\n", SimulatedArduCopter::new);
+    static final AutopilotKind ARDUROVER = new AutopilotKind(
+            "ardurover", "\n\nInit ArduRover V4.5.6 (simulated)\n\n", () -> new GroundBody(0), SimulatedArduRover::new);
     static final AutopilotKind PX4 = new AutopilotKind("px4", "", SimulatedPx4::new);
 
     private final SimulatorOptions options;
@@ -93,6 +97,7 @@ final class SimulatedFleetBuilder {
     private AutopilotKind kind(int index) {
         return switch (options.personality().toLowerCase(Locale.ROOT)) {
             case "px4" -> PX4;
+            case "ardurover" -> ARDUROVER;
             case "mixed" -> index % 2 == 0 ? ARDUCOPTER : PX4;
             default -> ARDUCOPTER;
         };

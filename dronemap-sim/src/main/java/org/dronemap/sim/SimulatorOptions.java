@@ -31,13 +31,13 @@ record SimulatorOptions(
         SimulatorOddities oddities) {
 
     static final String HELP = """
-            Simulated multicopters that speak MAVLink over real sockets.
+            Simulated vehicles that speak MAVLink over real sockets.
               --count N                vehicles, 1 to 10000 (default 1); beyond 254 system ids repeat on other ports
               --home LAT,LON[,ALT]     where the first one stands, altitude in metres AMSL (default 47.3977,8.5456,488)
               --sysid FIRST            system id of the first one, 1 to 254 (default 1)
               --hardware FIRST         number of the first one's board, 1 to 1000000 (default: its system id)
               --connect ADDRESS        udp://HOST:PORT or tcp://HOST:PORT (default udp://127.0.0.1:14550)
-              --personality KIND       arducopter, px4 or mixed (default arducopter)
+              --personality KIND       arducopter, ardurover, px4 or mixed (default arducopter)
               --speedup X              simulated seconds a second, 0.1 to 50 (default 1)
               --seed N                 same seed, same wind (default 1)
               --rate HERTZ             telemetry before anybody asks, 0 to 50 (default: as the autopilot does it)
@@ -94,7 +94,7 @@ record SimulatorOptions(
                 (int) reader.integer("--sysid", d.firstSystemId, 1, 254),
                 (int) reader.integer("--hardware", d.firstHardware, 1, 1_000_000),
                 reader.server("--connect", d.server),
-                reader.choice("--personality", d.personality, List.of("arducopter", "px4", "mixed")),
+                reader.choice("--personality", d.personality, List.of("arducopter", "ardurover", "px4", "mixed")),
                 reader.number("--speedup", d.speedup, 0.1, 50),
                 reader.integer("--seed", d.seed, Long.MIN_VALUE, Long.MAX_VALUE),
                 reader.number("--rate", d.rateHertz, 0, 50),

@@ -55,7 +55,26 @@ enum RecordedExchange {
     GROUND_STATION_LOST(20, "ground station"),
     GROUND_STATION_LOST_BY_DEFAULT(20, ""),
     GROUND_STATION_LOST_IN_AUTO(20, "in AUTO, ground station"),
-    MOTOR_FAILURE(30, "");
+    MOTOR_FAILURE(30, ""),
+    ROVER_ARMING_BY_MODE(0, ""),
+    ROVER_ARMING_REFUSED(0, "power-up"),
+    ROVER_BATTERY_LOW(0, "battery, rover"),
+    ROVER_COMMANDS_REFUSED(0, ""),
+    ROVER_GO_TO_BY_REPOSITION(0, ""),
+    ROVER_GO_TO_BY_SETPOINT(0, ""),
+    ROVER_GPS_LOST(0, ""),
+    ROVER_GROUND_STATION_LOST(0, "ground station"),
+    ROVER_GROUND_STATION_LOST_IN_AUTO(0, "ground station, rover goes on"),
+    ROVER_GROUND_STATION_LOST_RETURNS(0, "ground station, rover returns"),
+    ROVER_GROUND_STATION_LOST_STANDING(0, "ground station, rover returns"),
+    ROVER_HOLD_WHILE_DRIVING(0, ""),
+    ROVER_MISSION_DRIVE(0, ""),
+    ROVER_MISSION_OF_AIRCRAFT(0, ""),
+    ROVER_MISSION_PAUSED(0, ""),
+    ROVER_MISSION_UPLOAD(0, ""),
+    ROVER_MODES_REFUSED(0, ""),
+    ROVER_MODES_REFUSED_WITHOUT_POSITION(0, "never a position"),
+    ROVER_RETURN_HOME(0, "");
 
     final double height;
     final String preparation;

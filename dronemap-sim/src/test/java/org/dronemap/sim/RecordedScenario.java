@@ -19,6 +19,7 @@ final class RecordedScenario {
     private static final int HOME_LATITUDE = -353_632_610;
     private static final int HOME_LONGITUDE = 1_491_652_299;
     private static final String REAL_READY_SECONDS = "40.4";
+    private static final String NEVER_SECONDS = "600";
 
     private final List<RecordedLine> lines;
     private final VehicleTestBench bench;
@@ -33,9 +34,11 @@ final class RecordedScenario {
         this.begin = fromPowerUp ? millisOf(all, "ArduPilot Ready") : 0;
         this.lines = all.stream().filter(line -> line.millis() >= begin).toList();
         RecordedVehicle vehicle = RecordedVehicle.of(exchange);
-        this.bench = fromPowerUp
-                ? new VehicleTestBench(vehicle.optionsReadyAfter(REAL_READY_SECONDS))
-                : standingOrFlying(height, vehicle.options());
+        this.bench = exchange.preparation.equals("never a position")
+                ? VehicleTestBench.ready(vehicle.optionsReadyAfter(NEVER_SECONDS))
+                : fromPowerUp
+                        ? new VehicleTestBench(vehicle.optionsReadyAfter(REAL_READY_SECONDS))
+                        : standingOrFlying(height, vehicle.options());
         prepare(exchange.preparation);
         if (height > 0) {
             flyToWhereItBegan(height);
@@ -90,6 +93,24 @@ final class RecordedScenario {
                 FirmwarePreparations.flyMission(bench);
             }
             case "", "power-up" -> {}
+            default -> prepareRover(preparation);
+        }
+    }
+
+    private void prepareRover(String preparation) {
+        switch (preparation) {
+            case "battery, rover" -> {
+                bench.parameter("BATT_LOW_VOLT", 11.5);
+                bench.parameter("BATT_CRT_VOLT", 10.5);
+                bench.parameter("BATT_FS_LOW_ACT", 1);
+                bench.parameter("BATT_FS_CRT_ACT", 2);
+            }
+            case "never a position" -> bench.parameter("ARMING_CHECK", 0);
+            case "ground station, rover goes on" -> bench.parameter("FS_GCS_ENABLE", 2);
+            case "ground station, rover returns" -> {
+                bench.parameter("FS_GCS_ENABLE", 1);
+                bench.parameter("FS_ACTION", 1);
+            }
             default -> FirmwarePreparations.prepare(bench, preparation);
         }
     }

@@ -2,7 +2,8 @@ package org.dronemap.sim;
 
 /** A kind of vehicle that exchanges were recorded of; their names begin with its name, those of ArduCopter with none. */
 enum RecordedVehicle {
-    COPTER("arducopter");
+    COPTER("arducopter"),
+    ROVER("ardurover");
 
     private static final String HOME = "-35.3632610,149.1652299,584.05";
 

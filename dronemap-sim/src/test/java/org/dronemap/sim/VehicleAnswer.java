@@ -23,6 +23,7 @@ record VehicleAnswer(String kind, String text, long millis) {
             "GPS 1: detected",
             "PreArm: ",
             "ArduPilot Ready",
+            "INS: ",
             "RC7: ",
             "Field Elevation Set");
 

@@ -95,6 +95,11 @@ public interface SimulatedAutopilot {
 
     boolean inMissionMode();
 
+    /** What it says when the item is done; empty: nothing. */
+    default String reachedText(int index) {
+        return "";
+    }
+
     boolean setCurrentItem(int index);
 
     /** A mission may be cleared now. */

@@ -133,10 +133,9 @@ final class SimulatedMessageHandler {
         } else {
             out.accept(new MissionItemReached(index));
         }
-        boolean waypoint = index < autopilot.plan().size()
-                && autopilot.plan().item(index).command() == org.dronemap.sim.flight.SimulatedMissionItem.WAYPOINT;
-        if (waypoint && autopilot.missionStyle().firstItemIsHome()) {
-            sendText(TextSeverity.INFO, "Reached command #" + index);
+        String text = autopilot.reachedText(index);
+        if (!text.isEmpty()) {
+            sendText(TextSeverity.INFO, text);
         }
     }
 

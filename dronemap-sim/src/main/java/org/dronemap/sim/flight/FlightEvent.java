@@ -11,6 +11,9 @@ public sealed interface FlightEvent {
     /** A mission item has something done with what the vehicle carries. */
     record Ordered(SimulatedMissionItem order) implements FlightEvent {}
 
+    /** It has come to where a mission item is, and may have to wait there. */
+    record ItemArrived(int index) implements FlightEvent {}
+
     /** A mission item is done. */
     record ItemReached(int index) implements FlightEvent {}
 

@@ -2,6 +2,16 @@ package org.dronemap.sim.flight;
 
 /** How a kind of simulated vehicle flies each item of its mission. */
 public interface MissionLegs {
+    /** It moves for this item, or waits; other items are carried out at once, or passed over. */
+    default boolean flies(SimulatedMissionItem item) {
+        return item.isFlown();
+    }
+
+    /** What it tells of an item that it stores and cannot do: that it has begun, and nothing of its end. */
+    default FlightEvent passedOver(int index, SimulatedMissionItem item) {
+        return new FlightEvent.ItemStarted(index, item.typeName());
+    }
+
     /** {@code yaw} in radians is where a condition item had it look; NaN: nowhere in particular. */
     Manoeuvre legFor(SimulatedMissionItem item, SimulatedCraft craft, double yaw);
 

@@ -73,22 +73,25 @@ public final class MissionManoeuvre implements Manoeuvre {
     }
 
     private void begin(SimulatedCraft craft) {
-        for (int jumps = 0; index < plan.size() && !plan.item(index).isFlown() && jumps < MAX_JUMPS; ) {
+        for (int jumps = 0; index < plan.size() && !legs.flies(plan.item(index)) && jumps < MAX_JUMPS; ) {
             SimulatedMissionItem order = plan.item(index);
             if (order.command() == SimulatedMissionItem.JUMP) {
                 jumps++;
                 jump(order);
                 continue;
             }
-            events.accept(new FlightEvent.ItemStarted(index, order.typeName()));
-            if (!order.isNavigation()) {
-                execute(order, craft);
-                events.accept(new FlightEvent.ItemReached(index));
+            if (order.isNavigation()) {
+                // What the autopilot stores and this vehicle cannot do is passed over, not flown to somewhere.
+                events.accept(legs.passedOver(index, order));
+                index++;
+                continue;
             }
-            // A navigation item that this vehicle cannot fly is begun and passed over.
+            events.accept(new FlightEvent.ItemStarted(index, order.typeName()));
+            execute(order, craft);
+            events.accept(new FlightEvent.ItemReached(index));
             index++;
         }
-        if (index >= plan.size() || !plan.item(index).isFlown()) {
+        if (index >= plan.size() || !legs.flies(plan.item(index))) {
             ended = true;
             leg = legs.afterwards(craft, leg == null ? new Grounded() : leg);
             events.accept(new FlightEvent.MissionEnded());
@@ -139,6 +142,7 @@ public final class MissionManoeuvre implements Manoeuvre {
         boolean there = flown.command() == SimulatedMissionItem.DELAY || flying.done();
         if (there && arrivedAt < 0) {
             arrivedAt = nowMillis;
+            events.accept(new FlightEvent.ItemArrived(index));
         }
         return arrivedAt >= 0 && nowMillis - arrivedAt >= legs.holdMillis(flown);
     }

@@ -5,7 +5,9 @@ import java.util.stream.Stream;
 import org.dronemap.sim.autopilot.AutopilotKind;
 import org.dronemap.sim.autopilot.SimulatedVehicleSettings;
 import org.dronemap.sim.autopilot.arducopter.SimulatedArduCopter;
+import org.dronemap.sim.autopilot.ardurover.SimulatedArduRover;
 import org.dronemap.sim.autopilot.px4.SimulatedPx4;
+import org.dronemap.sim.physics.GroundBody;
 
 /**
  * What a vehicle of the laboratory is made of.
@@ -37,7 +39,20 @@ public record VehicleSpec(
     public static final VehicleSpec PX4 =
             new VehicleSpec(new AutopilotKind("px4", "", SimulatedPx4::new), 2, 0, 1, 0, Map.of(), true);
 
-    /** One of each. */
+    public static final VehicleSpec ROVER = new VehicleSpec(
+            new AutopilotKind(
+                    "ardurover",
+                    "\n\nInit ArduRover V4.5.6 (simulated)\n\n",
+                    () -> new GroundBody(0),
+                    SimulatedArduRover::new),
+            2,
+            0,
+            1,
+            0,
+            Map.of(),
+            true);
+
+    /** One of each that flies. */
     public static Stream<VehicleSpec> autopilots() {
         return Stream.of(COPTER, PX4);
     }

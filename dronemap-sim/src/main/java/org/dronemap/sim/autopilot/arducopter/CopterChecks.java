@@ -49,4 +49,16 @@ final class CopterChecks extends ArmingChecks {
             found.add("AHRS: not using configured AHRS type");
         }
     }
+
+    /** STABILIZE and ALT_HOLD are armable long before there is a position. */
+    @Override
+    protected boolean wantsPositionInEveryMode() {
+        return false;
+    }
+
+    /** A receiver that has just been switched on is waited for; one that has lost its signal is complained about. */
+    @Override
+    protected String withoutFix() {
+        return copter.craft().navigation().isReceiving() ? withoutOrigin() : super.withoutFix();
+    }
 }

@@ -45,7 +45,7 @@ final class CopterFlight implements ArduPilotFlight {
             SimulatedCraft craft, SimulatedMission plan, SimulatedParameters parameters, Consumer<FlightEvent> events) {
         this.craft = craft;
         this.parameters = parameters;
-        this.mission = new ArduPilotMission(craft, plan, events);
+        this.mission = new ArduPilotMission(plan, events);
         this.joystick = new ManualControlInput(parameters);
         readSpeeds();
     }

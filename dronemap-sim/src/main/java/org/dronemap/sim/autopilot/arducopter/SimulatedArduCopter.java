@@ -174,6 +174,12 @@ public final class SimulatedArduCopter extends SimulatedArduPilot {
     }
 
     @Override
+    public String reachedText(int index) {
+        boolean waypoint = index < plan().size() && plan().item(index).command() == SimulatedMissionItem.WAYPOINT;
+        return waypoint ? "Reached command #" + index : "";
+    }
+
+    @Override
     public long firmware() {
         return FIRMWARE;
     }

@@ -33,7 +33,9 @@ public abstract class ArduPilotCommands {
             case MavCmd.ARM_DISARM -> armOrDisarm(order);
             case MavCmd.SET_MODE -> vehicle.setMode((int) order.param1(), (long) order.param2());
             case MavCmd.SET_MISSION_CURRENT ->
-                SimulatedCommandResult.acceptedIf(vehicle.setCurrentItem((int) order.param1()));
+                vehicle.setCurrentItem((int) order.param1())
+                        ? SimulatedCommandResult.ACCEPTED
+                        : SimulatedCommandResult.DENIED;
             case MavCmd.SET_HOME -> setHome(order);
             case MavCmd.IMAGE_START_CAPTURE -> picture(order.param3() == 1);
             case MavCmd.DIGICAM_CONTROL -> picture(order.shoots());
@@ -97,7 +99,7 @@ public abstract class ArduPilotCommands {
         return SimulatedCommandResult.ACCEPTED;
     }
 
-    void sendHome() {
+    public void sendHome() {
         vehicle.send(SimulatedTelemetry.home(craft));
     }
 }

@@ -5,7 +5,6 @@ import org.dronemap.sim.flight.CruiseSpeeds;
 import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.MissionLegs;
 import org.dronemap.sim.flight.MissionManoeuvre;
-import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.SimulatedMission;
 import org.jspecify.annotations.Nullable;
 
@@ -20,16 +19,15 @@ public final class ArduPilotMission {
     private static final int PAUSED = 4;
     private static final int COMPLETE = 5;
 
-    private final SimulatedCraft craft;
     private final SimulatedMission plan;
     private final Consumer<FlightEvent> events;
     private @Nullable MissionManoeuvre flown;
     private int resumeItem;
+    private int lastItem;
     private boolean completed;
     private boolean paused;
 
-    public ArduPilotMission(SimulatedCraft craft, SimulatedMission plan, Consumer<FlightEvent> events) {
-        this.craft = craft;
+    public ArduPilotMission(SimulatedMission plan, Consumer<FlightEvent> events) {
         this.plan = plan;
         this.events = events;
     }
@@ -57,6 +55,7 @@ public final class ArduPilotMission {
     /** Another mode is chosen: it remembers the item. */
     public void leave() {
         if (flown != null) {
+            lastItem = currentItem();
             resumeItem = flown.ended() ? 0 : flown.index();
             flown = null;
         }
@@ -68,6 +67,7 @@ public final class ArduPilotMission {
         flown = null;
         paused = false;
         resumeItem = 0;
+        lastItem = 0;
     }
 
     public void setPaused(boolean on) {
@@ -130,13 +130,10 @@ public final class ArduPilotMission {
 
     /** As MISSION_CURRENT has it. */
     public int currentItem() {
-        if (completed && craft.landed()) {
-            return 0;
+        if (flown == null) {
+            return completed ? lastItem : resumeItem;
         }
-        if (completed) {
-            return Math.max(0, plan.size() - 1);
-        }
-        return flown == null ? resumeItem : Math.min(flown.index(), Math.max(0, plan.size() - 1));
+        return Math.min(flown.index(), Math.max(0, plan.size() - 1));
     }
 
     /** MISSION_STATE. */

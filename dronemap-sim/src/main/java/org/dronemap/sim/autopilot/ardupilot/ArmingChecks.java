@@ -47,19 +47,36 @@ public class ArmingChecks {
         }
     }
 
-    /** A mode that flies without a position is armable long before there is one. */
+    /** Until the sensors have settled a mode that flies without a position says nothing about it. */
     private void checkPosition(ArduPilotMode mode, List<String> found) {
         NavigationEstimator navigation = craft.navigation();
-        if (!mode.needsPosition()) {
+        if (!mode.needsPosition() && (!found.isEmpty() || !wantsPositionInEveryMode())) {
             return;
         }
-        if (!navigation.isReceiving()) {
-            found.add("GPS 1: Bad fix");
+        if (!navigation.hasFix()) {
+            found.add(withoutFix());
         } else if (!navigation.hasOrigin()) {
-            found.add("AHRS: waiting for home");
+            found.add(withoutOrigin());
         } else if (!navigation.hasEstimate()) {
-            found.add("Need Position Estimate");
+            found.add(withoutEstimate());
         }
+    }
+
+    /** A mode that drives or flies without a position is not armed without one either. */
+    protected boolean wantsPositionInEveryMode() {
+        return true;
+    }
+
+    protected String withoutFix() {
+        return "GPS 1: Bad fix";
+    }
+
+    protected String withoutOrigin() {
+        return "AHRS: waiting for home";
+    }
+
+    protected String withoutEstimate() {
+        return "Need Position Estimate";
     }
 
     private void checkBattery(List<String> found) {

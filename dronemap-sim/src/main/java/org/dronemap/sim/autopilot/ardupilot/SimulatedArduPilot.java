@@ -92,13 +92,13 @@ public abstract class SimulatedArduPilot implements SimulatedAutopilot {
         craft.step(flight().fly(nowMillis), nowMillis, seconds);
         failsafes().check(nowMillis);
         payload.step(parameters.value("MNT1_TYPE") > 0, seconds);
-        reportOrigin();
+        keepHome();
         disarmWhenIdle();
         reportComplaints();
     }
 
     /** Home is told once the origin stands, long before it would arm. */
-    private void reportOrigin() {
+    protected void keepHome() {
         if (!originReported && craft.navigation().hasOrigin()) {
             originReported = true;
             orders().sendHome();
@@ -124,7 +124,7 @@ public abstract class SimulatedArduPilot implements SimulatedAutopilot {
         if (!force && !passesChecks()) {
             return SimulatedCommandResult.FAILED;
         }
-        if (craft.navigation().hasEstimate()) {
+        if (setsHomeWhenArmed() && craft.navigation().hasEstimate()) {
             craft.setHomeHere();
             orders().sendHome();
         }
@@ -148,6 +148,11 @@ public abstract class SimulatedArduPilot implements SimulatedAutopilot {
             sendText(TextSeverity.CRITICAL, "Arm: " + notArmable(flight().mode()));
             return false;
         }
+        return true;
+    }
+
+    /** Home is where it was armed last. */
+    protected boolean setsHomeWhenArmed() {
         return true;
     }
 
