@@ -13,7 +13,7 @@ import contextlib
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -58,10 +58,17 @@ def chosen(vehicle: Vehicle, names: list[str] | None) -> list[Exchange]:
 
 
 @contextlib.contextmanager
-def running(options: argparse.Namespace, port: int, folder: str) -> Iterator[None]:
+def running(
+    options: argparse.Namespace, port: int, folder: str, boot_parameters: Mapping[str, float] | None = None
+) -> Iterator[None]:
     """A software-in-the-loop vehicle that talks to `port` on this machine, until the block ends."""
     vehicle = VEHICLES[options.vehicle]
     defaults = options.defaults or options.sitl.parent / vehicle.defaults
+    if boot_parameters:
+        lines = "".join(f"\n{name} {value}" for name, value in boot_parameters.items())
+        own = Path(folder) / "defaults.parm"
+        own.write_text(defaults.read_text(encoding="utf-8") + lines + "\n", encoding="utf-8")
+        defaults = own
     command = [
         str(options.sitl.resolve()), "--wipe", "--model", vehicle.model, "--speedup", "1",
         "--defaults", str(defaults.resolve()), "--home", HOME, "--rc-in-port", str(port + 1),
@@ -100,7 +107,10 @@ def record(exchange: Exchange, address: str, options: argparse.Namespace) -> Non
 def record_with_sitl(exchange: Exchange, port: int, options: argparse.Namespace) -> str | None:
     """One exchange with a vehicle of its own; what went wrong, or None."""
     try:
-        with tempfile.TemporaryDirectory() as folder, running(options, port, folder):
+        with (
+            tempfile.TemporaryDirectory() as folder,
+            running(options, port, folder, exchange.boot_parameters),
+        ):
             record(exchange, f"udpin:127.0.0.1:{port}", options)
     except Exception as problem:  # one broken exchange must not cost the others
         print(f"{exchange.name}: FAILED: {problem}", flush=True)

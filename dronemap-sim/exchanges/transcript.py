@@ -36,6 +36,10 @@ KEPT_FIELDS: Mapping[str, tuple[str, ...]] = {
     "SYS_STATUS": (
         "onboard_control_sensors_health", "voltage_battery", "current_battery", "battery_remaining",
     ),
+    "EKF_STATUS_REPORT": ("flags",),
+    "FENCE_STATUS": ("breach_status", "breach_count", "breach_type"),
+    "BATTERY_STATUS": ("id", "voltages", "voltages_ext", "current_battery", "current_consumed", "battery_remaining"),
+    "GPS_RAW_INT": ("fix_type", "satellites_visible", "eph", "h_acc", "v_acc"),
     "AUTOPILOT_VERSION": ("capabilities", "flight_sw_version", "uid"),
     "MISSION_COUNT": ("target_system", "target_component", "count", "mission_type"),
     "MISSION_REQUEST_LIST": ("target_system", "target_component", "mission_type"),
@@ -55,10 +59,25 @@ KEPT_FIELDS: Mapping[str, tuple[str, ...]] = {
 }  # fmt: skip
 
 # Heard all the time: only what changes is written.
-WRITTEN_ON_CHANGE = frozenset({"HEARTBEAT", "EXTENDED_SYS_STATE", "MISSION_CURRENT", "HOME_POSITION"})
+WRITTEN_ON_CHANGE = frozenset(
+    {"HEARTBEAT", "EXTENDED_SYS_STATE", "MISSION_CURRENT", "HOME_POSITION", "EKF_STATUS_REPORT", "FENCE_STATUS"}
+)
 
 # Heard often: at most one line in so many seconds.
-THINNED_SECONDS: Mapping[str, float] = {"VFR_HUD": 1.0, "GLOBAL_POSITION_INT": 1.0, "ATTITUDE": 1.0, "SYS_STATUS": 5.0}
+THINNED_SECONDS: Mapping[str, float] = {
+    "VFR_HUD": 1.0,
+    "GLOBAL_POSITION_INT": 1.0,
+    "ATTITUDE": 1.0,
+    "SYS_STATUS": 5.0,
+    "GPS_RAW_INT": 5.0,
+    "BATTERY_STATUS": 0.0,
+}
+
+# Of these a change is written at once.
+NEVER_THINNED: Mapping[str, str] = {
+    "SYS_STATUS": "onboard_control_sensors_health",
+    "GPS_RAW_INT": "fix_type",
+}
 
 DECIMALS = 3
 ARMED_FLAG = 128
@@ -121,10 +140,22 @@ class Transcript:
             return unchanged
         if kind in THINNED_SECONDS:
             now = self._clock()
+            if self._has_changed(kind, message):
+                self._last_at[kind] = now
+                return False
             if now - self._last_at.get(kind, -math.inf) < THINNED_SECONDS[kind]:
                 return True
             self._last_at[kind] = now
         return False
+
+    def _has_changed(self, kind: str, message: Any) -> bool:
+        field = NEVER_THINNED.get(kind)
+        if field is None:
+            return False
+        value = {field: getattr(message, field)}
+        changed = self._last.get(kind, value) != value
+        self._last[kind] = value
+        return changed
 
     def _add(self, direction: str, message: Any) -> None:
         if self._started_at is None:

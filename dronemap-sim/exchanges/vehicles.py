@@ -9,6 +9,7 @@ from pymavlink import mavutil
 
 from exchange import Exchange
 from exchanges import EXCHANGES
+from firmware_exchanges import FIRMWARE_EXCHANGES
 from planes import PLANE_EXCHANGES, QUADPLANE_EXCHANGES
 from rover_exchanges import ROVER_EXCHANGES
 
@@ -24,7 +25,7 @@ class Vehicle:
 
 
 VEHICLES: Mapping[str, Vehicle] = {
-    "copter": Vehicle("+", "copter.parm", dict(mavutil.mode_mapping_acm), EXCHANGES),
+    "copter": Vehicle("+", "copter.parm", dict(mavutil.mode_mapping_acm), (*EXCHANGES, *FIRMWARE_EXCHANGES)),
     "plane": Vehicle("plane", "plane.parm", dict(mavutil.mode_mapping_apm), PLANE_EXCHANGES),
     "quadplane": Vehicle("quadplane", "quadplane.parm", dict(mavutil.mode_mapping_apm), QUADPLANE_EXCHANGES),
     "rover": Vehicle("rover", "rover.parm", dict(mavutil.mode_mapping_rover), ROVER_EXCHANGES),

@@ -18,6 +18,7 @@ import org.dronemap.sim.physics.GroundBody;
 import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.NeuPosition;
 import org.dronemap.sim.physics.QuadPlaneBody;
+import org.dronemap.sim.physics.SensorNoise;
 import org.dronemap.sim.physics.WindModel;
 
 /** Builds the simulated fleet: vehicles on a square grid, ten metres apart, north-east of home. */
@@ -25,6 +26,8 @@ final class SimulatedFleetBuilder {
     private static final double SPACING_METERS = 60;
     private static final double BATTERY_MILLIAMP_HOURS = 5200;
     private static final int SYSTEM_IDS = 254;
+    private static final long SEEDS_APART = 1_000_003;
+    private static final double BREEZE = 4;
     private static final long FOR_GOOD_MILLIS = Long.MAX_VALUE / 2;
 
     static final AutopilotKind ARDUCOPTER =
@@ -68,16 +71,21 @@ final class SimulatedFleetBuilder {
         int side = (int) Math.ceil(Math.sqrt(options.count()));
         int row = index / side;
         int column = index % side;
-        LocalFrame place = options.home().shifted(new NeuPosition(row * SPACING_METERS, column * SPACING_METERS, 0));
-        long seed = options.seed() * 1_000_003 + index;
+        long seed = options.seed() * SEEDS_APART + index;
+        SensorNoise noise = options.oddities().noisy()
+                ? SensorNoise.of(options.oddities().noiseSeed() * SEEDS_APART + index)
+                : SensorNoise.none();
+        LocalFrame place = options.home()
+                .shifted(new NeuPosition(row * SPACING_METERS, column * SPACING_METERS, noise.homeOffset()));
         double towards = (options.seed() & 7) * Math.PI / 4;
         AutopilotKind kind = kind(index);
         SimulatedCraft craft = new SimulatedCraft(
                 place,
                 kind.body().get(),
                 new BatteryModel(BATTERY_MILLIAMP_HOURS),
-                new WindModel(options.windSpeed(), towards, seed),
-                new NavigationEstimator((long) (options.readyAfterSeconds() * 1000)));
+                new WindModel(windSpeed(), towards, seed),
+                new NavigationEstimator((long) (options.readyAfterSeconds() * 1000)),
+                noise);
         int systemId = (options.firstSystemId() - 1 + index) % SYSTEM_IDS + 1;
         SimulatedVehicleSettings settings = new SimulatedVehicleSettings(
                 systemId,
@@ -90,10 +98,17 @@ final class SimulatedFleetBuilder {
                 options.parameters(),
                 options.presets());
         SimulatedVehicle vehicle = new SimulatedVehicle(settings, kind, craft, link);
+        vehicle.companions().set(options.oddities().companions());
+        vehicle.setCells(options.oddities().cells());
         if (options.asleep()) {
             vehicle.silence(FOR_GOOD_MILLIS);
         }
         return vehicle;
+    }
+
+    /** Noise has a breeze with it. */
+    private double windSpeed() {
+        return options.oddities().noisy() && options.windSpeed() == 0 ? BREEZE : options.windSpeed();
     }
 
     private AutopilotKind kind(int index) {

@@ -27,7 +27,8 @@ record SimulatorOptions(
         boolean usb,
         int parameters,
         Map<String, Double> presets,
-        boolean asleep) {
+        boolean asleep,
+        SimulatorOddities oddities) {
 
     static final String HELP = """
             Simulated vehicles that speak MAVLink over real sockets.
@@ -46,6 +47,9 @@ record SimulatorOptions(
               --stick low|mid          throttle stick of the remote control (default mid)
               --parameters N           fills the table of parameters up to so many, 0 to 5000 (default 0)
               --parameter NAME=VALUE   sets that parameter from the start; may be given more than once
+              --noise SEED             sensors as they are: place, height and home a little wrong, wind; 0 for none
+              --companions NAMES       others on the link: gimbal, camera, computer, adsb, station; commas between
+              --cells N                cells of the battery told one by one, 0 to 14 (default 0: their sum)
               --asleep                 they say and hear nothing until the control port is told to wake them
               --mavlink1               speak MAVLink 1
               --roslink                robots of another kind instead: their options are below
@@ -72,7 +76,8 @@ record SimulatorOptions(
                 false,
                 0,
                 Map.of(),
-                false);
+                false,
+                SimulatorOddities.NONE);
     }
 
     /**
@@ -104,7 +109,8 @@ record SimulatorOptions(
                 reader.flag("--usb"),
                 (int) reader.integer("--parameters", d.parameters, 0, 5_000),
                 reader.numbersByName("--parameter"),
-                reader.flag("--asleep"));
+                reader.flag("--asleep"),
+                SimulatorOddities.parse(reader));
         reader.finish();
         return options;
     }

@@ -47,17 +47,22 @@ final class GroundStationReplayer {
             case "COMMAND_INT" -> bench.send(commandInt(l));
             case "SET_POSITION_TARGET_GLOBAL_INT" -> bench.send(target(l));
             case "SET_MODE" -> bench.send(new SetMode(1, (int) l.integer("base_mode"), l.integer("custom_mode")));
-            case "MISSION_COUNT" -> bench.send(new MissionCount(1, 1, (int) l.integer("count"), 0));
+            case "MISSION_COUNT" -> bench.send(new MissionCount(1, 1, (int) l.integer("count"), missionType(l)));
             case "MISSION_ITEM_INT" -> bench.send(item(l));
-            case "MISSION_REQUEST_LIST" -> bench.send(new MissionRequestList(1, 1, 0));
-            case "MISSION_REQUEST_INT" -> bench.send(new MissionRequestInt(1, 1, (int) l.integer("seq"), 0));
+            case "MISSION_REQUEST_LIST" -> bench.send(new MissionRequestList(1, 1, missionType(l)));
+            case "MISSION_REQUEST_INT" ->
+                bench.send(new MissionRequestInt(1, 1, (int) l.integer("seq"), missionType(l)));
             case "MISSION_REQUEST" -> bench.send(new MissionRequest(1, 1, (int) l.integer("seq"), 0));
             case "MISSION_SET_CURRENT" -> bench.send(new MissionSetCurrent(1, 1, (int) l.integer("seq")));
             case "RC_CHANNELS_OVERRIDE" -> bench.send(new Throttle((int) l.integer("chan3_raw")));
-            case "MISSION_CLEAR_ALL" -> bench.send(new MissionClearAll(1, 1, 0));
+            case "MISSION_CLEAR_ALL" -> bench.send(new MissionClearAll(1, 1, missionType(l)));
             case "MISSION_ACK" -> bench.send(new MissionAck(1, 1, 0, 0));
             default -> throw new IllegalArgumentException("a message that the test cannot say: " + l.text("msg"));
         }
+    }
+
+    private static int missionType(RecordedLine l) {
+        return (int) l.number("mission_type");
     }
 
     private static CommandLong commandLong(RecordedLine l) {
@@ -128,6 +133,6 @@ final class GroundStationReplayer {
                 (int) l.integer("x"),
                 (int) l.integer("y"),
                 l.number("z"),
-                0);
+                missionType(l));
     }
 }

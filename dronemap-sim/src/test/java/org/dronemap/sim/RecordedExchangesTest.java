@@ -84,6 +84,37 @@ class RecordedExchangesTest {
         return chosen;
     }
 
+    /** Of the exchanges that have them recorded: the estimator's flags, whether it would arm, and its fence. */
+    @ParameterizedTest
+    @EnumSource(
+            names = {
+                "READINESS_BY_MODE",
+                "GPS_BACK_ON_GROUND",
+                "GPS_GAP_IN_FLIGHT",
+                "MODES_WITHOUT_GPS_IN_FLIGHT",
+                "FENCE_SWITCHED",
+                "FENCE_ARMING_OUTSIDE",
+                "FENCE_TARGETS_OUTSIDE",
+                "FENCE_BREACHED_IN_AUTO",
+                "FENCE_BREACHED_IN_HEIGHT",
+                "FENCE_BREACH_ONLY_TOLD",
+                "SECOND_BATTERY_LOW"
+            })
+    void tellsTheSameEstimateReadinessAndFence(RecordedExchange exchange) {
+        RecordedScenario scene = new RecordedScenario(exchange);
+        scene.play();
+        Transcript real = scene.recorded();
+        Transcript simulated = scene.played();
+        compare(
+                "estimate",
+                real.changes("EKF_STATUS_REPORT", "flags"),
+                simulated.changes("EKF_STATUS_REPORT", "flags"));
+        compare("prearm", real.readiness(), simulated.readiness());
+        for (String field : List.of("breach_status", "breach_type", "breach_count")) {
+            compare(field, real.changes("FENCE_STATUS", field), simulated.changes("FENCE_STATUS", field));
+        }
+    }
+
     @Test
     void noRecordingIsLeftOut() throws IOException {
         try (Stream<Path> files = Files.list(Path.of("exchanges", "recorded"))) {

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import org.dronemap.mavlink.message.EkfStatusReport;
 import org.dronemap.mavlink.message.ExtendedSysState;
+import org.dronemap.mavlink.message.FenceStatus;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.mavlink.message.MissionCurrent;
 import org.dronemap.mavlink.message.MissionItemInt;
@@ -90,18 +92,23 @@ final class RecordedScenario {
                 bench.parameter("ARMING_CHECK", 0);
                 bench.run(12);
             }
+            case "after a mission" -> {
+                bench.upload(recordedItems(6));
+                FirmwarePreparations.flyMission(bench);
+            }
             case "", "power-up" -> {}
             case "never a position" -> bench.parameter("ARMING_CHECK", 0);
-            default -> setParameters(preparation);
+            default -> prepareOtherwise(preparation);
         }
     }
 
-    private void setParameters(String preparation) {
+    private void prepareOtherwise(String preparation) {
+        if (!preparation.contains("=")) {
+            FirmwarePreparations.prepare(bench, preparation);
+            return;
+        }
         for (String setting : preparation.split(" ")) {
             String[] parts = setting.split("=");
-            if (parts.length != 2) {
-                throw new IllegalArgumentException("no such preparation: " + preparation);
-            }
             bench.parameter(parts[0], Double.parseDouble(parts[1]));
         }
     }
@@ -112,6 +119,8 @@ final class RecordedScenario {
             bench.command(511, id, 100_000);
         }
         bench.command(511, MissionCurrent.ID, 200_000);
+        bench.command(511, FenceStatus.ID, 200_000);
+        bench.command(511, EkfStatusReport.ID, 500_000);
         bench.command(511, SysStatus.ID, 500_000);
     }
 

@@ -54,7 +54,11 @@ class SimulatedArduCopterTest {
             assertThat(bench.command(400, 1)).isEqualTo(4);
         }
         assertThat(bench.texts())
-                .contains("Arm: GPS 1: Bad fix", "Arm: AHRS: waiting for home", "Arm: Need Position Estimate");
+                .contains(
+                        "Arm: Need Alt Estimate",
+                        "Arm: EKF attitude is bad",
+                        "Arm: AHRS: waiting for home",
+                        "Arm: Need Position Estimate");
         bench.run(8);
         assertThat(bench.command(400, 1)).isZero();
     }

@@ -10,8 +10,11 @@ import java.util.NoSuchElementException;
 import java.util.function.Predicate;
 import java.util.stream.DoubleStream;
 import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.message.BatteryStatus;
 import org.dronemap.mavlink.message.CommandAck;
+import org.dronemap.mavlink.message.EkfStatusReport;
 import org.dronemap.mavlink.message.ExtendedSysState;
+import org.dronemap.mavlink.message.FenceStatus;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.HomePosition;
@@ -25,6 +28,8 @@ import org.dronemap.mavlink.message.VfrHud;
 
 /** What was said to a vehicle and what it said, in the order of time, real or simulated in the same form. Seconds. */
 record Transcript(List<RecordedLine> lines) {
+    private static final long PREARM_CHECK = 0x1000_0000;
+
     static Transcript of(List<RecordedLine> said, List<VehicleTestBench.Heard> heard, long start) {
         List<RecordedLine> all =
                 new ArrayList<>(said.stream().filter(RecordedLine::isSaid).toList());
@@ -60,8 +65,6 @@ record Transcript(List<RecordedLine> lines) {
                         "EXTENDED_SYS_STATE",
                         "landed_state",
                         ExtendedSysState.decode(f).landedState());
-            case SysStatus.ID ->
-                numbers("SYS_STATUS", "current_battery", SysStatus.decode(f).currentBattery());
             case MissionCurrent.ID -> {
                 MissionCurrent current = MissionCurrent.decode(f);
                 yield numbers(
@@ -74,7 +77,36 @@ record Transcript(List<RecordedLine> lines) {
                         current.missionState());
             }
             case HomePosition.ID -> Map.of("msg", "HOME_POSITION");
+            case SysStatus.ID, EkfStatusReport.ID, FenceStatus.ID, BatteryStatus.ID -> stateFields(f);
             default -> answerFields(f);
+        };
+    }
+
+    private static Map<String, String> stateFields(Frame f) {
+        return switch (f.messageId()) {
+            case SysStatus.ID ->
+                numbers(
+                        "SYS_STATUS",
+                        "current_battery",
+                        SysStatus.decode(f).currentBattery(),
+                        "onboard_control_sensors_health",
+                        SysStatus.decode(f).onboardControlSensorsHealth());
+            case EkfStatusReport.ID ->
+                numbers("EKF_STATUS_REPORT", "flags", EkfStatusReport.decode(f).flags());
+            case FenceStatus.ID -> {
+                FenceStatus fence = FenceStatus.decode(f);
+                yield numbers(
+                        "FENCE_STATUS",
+                        "breach_status",
+                        fence.breachStatus(),
+                        "breach_count",
+                        fence.breachCount(),
+                        "breach_type",
+                        fence.breachType());
+            }
+            case BatteryStatus.ID ->
+                numbers("BATTERY_STATUS", "id", BatteryStatus.decode(f).id());
+            default -> throw new IllegalArgumentException("no state is read from message " + f.messageId());
         };
     }
 
@@ -137,6 +169,22 @@ record Transcript(List<RecordedLine> lines) {
             if (!line.isSaid() && line.is(message) && !line.text(field).equals(last)) {
                 last = line.text(field);
                 changes.add(new VehicleAnswer(field, last, line.millis()));
+            }
+        }
+        return changes;
+    }
+
+    /** Whether the pre-arm checks are passed, wherever that changes. */
+    List<VehicleAnswer> readiness() {
+        List<VehicleAnswer> changes = new ArrayList<>();
+        String last = "";
+        for (RecordedLine line : lines) {
+            if (line.is("SYS_STATUS")) {
+                String now = (line.integer("onboard_control_sensors_health") & PREARM_CHECK) == 0 ? "no" : "ready";
+                if (!now.equals(last)) {
+                    changes.add(new VehicleAnswer("prearm", now, line.millis()));
+                    last = now;
+                }
             }
         }
         return changes;

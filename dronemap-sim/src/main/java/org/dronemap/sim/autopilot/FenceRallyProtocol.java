@@ -7,31 +7,32 @@ import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.MissionAck;
 import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.mavlink.message.MissionRequest;
 import org.dronemap.mavlink.message.MissionRequestInt;
 import org.dronemap.sim.flight.SimulatedMissionItem;
 
-/**
- * A simulated vehicle's side of fence and rally point transfers; stores them whole, but heeds none. Nothing heeds them.
- */
+/** A simulated vehicle's side of fence and rally point transfers, which are stored whole or not at all. */
 final class FenceRallyProtocol {
-    private static final int ACCEPTED = 0;
     private static final int INVALID = 5;
     private static final int MOST = 254;
     private static final long ASK_AGAIN_MILLIS = 1_000;
     private static final long GIVE_UP_MILLIS = 8_000;
 
     private final int missionType;
+    private final FenceStorage storage;
+    private final boolean asksWithRequestInt;
     private final Consumer<Message> out;
     private final List<SimulatedMissionItem> arriving = new ArrayList<>();
-    private List<SimulatedMissionItem> held = List.of();
     private int total = -1;
     private int peerSystem;
     private int peerComponent;
     private long lastItemAt;
     private long askedAt;
 
-    FenceRallyProtocol(int missionType, Consumer<Message> out) {
+    FenceRallyProtocol(int missionType, FenceStorage storage, boolean asksWithRequestInt, Consumer<Message> out) {
         this.missionType = missionType;
+        this.storage = storage;
+        this.asksWithRequestInt = asksWithRequestInt;
         this.out = out;
     }
 
@@ -63,40 +64,48 @@ final class FenceRallyProtocol {
             return;
         }
         if (item.seq() == arriving.size()) {
-            arriving.add(MissionItemMessages.read(item));
+            SimulatedMissionItem read = MissionItemMessages.read(item);
+            int judged = storage.judge(read);
+            if (judged != FenceStorage.ACCEPTED) {
+                total = -1;
+                acknowledge(judged);
+                return;
+            }
+            arriving.add(read);
             lastItemAt = nowMillis;
         }
         if (arriving.size() < total) {
             ask(nowMillis);
         } else {
-            held = List.copyOf(arriving);
             total = -1;
-            acknowledge(ACCEPTED);
+            acknowledge(storage.store(List.copyOf(arriving)));
         }
     }
 
     void sendCount(int toSystem, int toComponent) {
-        out.accept(new MissionCount(toSystem, toComponent, held.size(), missionType));
+        out.accept(new MissionCount(toSystem, toComponent, storage.items().size(), missionType));
     }
 
     void sendItem(int seq, int toSystem, int toComponent) {
-        if (seq >= held.size()) {
+        if (seq >= storage.items().size()) {
             out.accept(new MissionAck(toSystem, toComponent, INVALID, missionType));
             return;
         }
         out.accept(MissionItemMessages.write(
-                held.get(seq), new MissionItemMessages.Address(seq, missionType, toSystem, toComponent)));
+                storage.items().get(seq), new MissionItemMessages.Address(seq, missionType, toSystem, toComponent)));
     }
 
     void clear(int toSystem, int toComponent) {
-        held = List.of();
         total = -1;
-        out.accept(new MissionAck(toSystem, toComponent, ACCEPTED, missionType));
+        out.accept(new MissionAck(toSystem, toComponent, storage.store(List.of()), missionType));
     }
 
     private void ask(long nowMillis) {
         askedAt = nowMillis;
-        out.accept(new MissionRequestInt(peerSystem, peerComponent, arriving.size(), missionType));
+        out.accept(
+                asksWithRequestInt
+                        ? new MissionRequestInt(peerSystem, peerComponent, arriving.size(), missionType)
+                        : new MissionRequest(peerSystem, peerComponent, arriving.size(), missionType));
     }
 
     private void acknowledge(int type) {

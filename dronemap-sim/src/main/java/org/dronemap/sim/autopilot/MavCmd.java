@@ -15,6 +15,7 @@ public final class MavCmd {
     public static final int PAUSE_CONTINUE = 193;
     public static final int SET_REVERSE = 194;
     public static final int DIGICAM_CONTROL = 203;
+    public static final int FENCE_ENABLE = 207;
     public static final int SET_MISSION_CURRENT = 224;
     public static final int REBOOT = 246;
     public static final int MISSION_START = 300;

@@ -55,8 +55,8 @@ final class MissionProtocol {
         this.plan = autopilot.plan();
         this.out = out;
         this.events = events;
-        this.fence = new FenceRallyProtocol(FENCE, out);
-        this.rally = new FenceRallyProtocol(RALLY, out);
+        this.fence = new FenceRallyProtocol(FENCE, autopilot.fence(), style.asksWithRequestInt(), out);
+        this.rally = new FenceRallyProtocol(RALLY, autopilot.rallyPoints(), style.asksWithRequestInt(), out);
     }
 
     private FenceRallyProtocol plain(int missionType) {

@@ -9,6 +9,7 @@ import org.dronemap.sim.autopilot.items.MissionItemStorage;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.SimulatedMission;
 import org.dronemap.sim.flight.SimulatedParameters;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A simulated autopilot (ArduCopter or PX4): the commands it accepts, its flight modes and fail-safes. Owned by the
@@ -81,6 +82,15 @@ public interface SimulatedAutopilot {
 
     /** Which mission items it takes, and what it keeps of them. */
     MissionItemStorage missionItems();
+
+    FenceStorage fence();
+
+    FenceStorage rallyPoints();
+
+    /** A message that this kind of autopilot alone has; null when it has none of that number, or nothing to say. */
+    default @Nullable Message own(int messageId) {
+        return null;
+    }
 
     /** The wire's number of the item that is flown or comes next. */
     int currentItem();

@@ -3,16 +3,11 @@ package org.dronemap.sim.autopilot;
 import java.util.function.Consumer;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.Message;
-import org.dronemap.mavlink.message.Attitude;
 import org.dronemap.mavlink.message.AutopilotVersion;
-import org.dronemap.mavlink.message.BatteryStatus;
 import org.dronemap.mavlink.message.CommandAck;
 import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.CommandLong;
-import org.dronemap.mavlink.message.ExtendedSysState;
 import org.dronemap.mavlink.message.GimbalManagerSetPitchyaw;
-import org.dronemap.mavlink.message.GlobalPositionInt;
-import org.dronemap.mavlink.message.GpsRawInt;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.HomePosition;
 import org.dronemap.mavlink.message.LogRequestData;
@@ -24,6 +19,7 @@ import org.dronemap.mavlink.message.MissionCount;
 import org.dronemap.mavlink.message.MissionCurrent;
 import org.dronemap.mavlink.message.MissionItem;
 import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.mavlink.message.MissionItemReached;
 import org.dronemap.mavlink.message.MissionRequest;
 import org.dronemap.mavlink.message.MissionRequestInt;
 import org.dronemap.mavlink.message.MissionRequestList;
@@ -34,15 +30,10 @@ import org.dronemap.mavlink.message.ParamRequestRead;
 import org.dronemap.mavlink.message.ParamSet;
 import org.dronemap.mavlink.message.Ping;
 import org.dronemap.mavlink.message.RequestDataStream;
-import org.dronemap.mavlink.message.ServoOutputRaw;
 import org.dronemap.mavlink.message.SetMode;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
-import org.dronemap.mavlink.message.SysStatus;
-import org.dronemap.mavlink.message.SystemTime;
 import org.dronemap.mavlink.message.Timesync;
-import org.dronemap.mavlink.message.VfrHud;
-import org.dronemap.mavlink.message.Wind;
 import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.TextSeverity;
 
@@ -52,33 +43,20 @@ import org.dronemap.sim.flight.TextSeverity;
 final class SimulatedMessageHandler {
     private static final int RC_CHANNELS_OVERRIDE = 70;
     private static final long READINGS_MILLIS = 500;
-    private static final int[] STREAMED = {
-        GlobalPositionInt.ID,
-        Attitude.ID,
-        VfrHud.ID,
-        SysStatus.ID,
-        BatteryStatus.ID,
-        GpsRawInt.ID,
-        ExtendedSysState.ID,
-        HomePosition.ID,
-        MissionCurrent.ID,
-        SystemTime.ID,
-        ServoOutputRaw.ID,
-        Wind.ID
-    };
-
     private final SimulatedAutopilot autopilot;
     private final int systemId;
     private final long bootedAt;
     private final Consumer<Message> out;
     private final Consumer<FlightEvent> events;
     private final SimulatedTelemetry telemetry;
-    private final MessageStreams streams = new MessageStreams(STREAMED);
+    private final MessageStreams streams = new MessageStreams(SimulatedTelemetry.STREAMED);
     private final SimulatedStorageFaults alterations = new SimulatedStorageFaults();
     private final MissionProtocol missions;
     private final ParameterProtocol parameters;
     private final LogProtocol logs;
     private long readingsDue;
+    private int reachedUntold = -1;
+    private boolean startedUntold;
 
     SimulatedMessageHandler(
             SimulatedAutopilot autopilot,
@@ -96,7 +74,7 @@ final class SimulatedMessageHandler {
         this.missions = new MissionProtocol(autopilot, alterations, out, events);
         this.logs = new LogProtocol(systemId, out);
         this.parameters = new ParameterProtocol(autopilot, alterations, out);
-        for (int id : STREAMED) {
+        for (int id : SimulatedTelemetry.STREAMED) {
             double unasked = settings.streamHertz() < 0 ? autopilot.unaskedRate(id) : settings.streamHertz();
             streams.set(id, unasked, bootedAt);
         }
@@ -107,6 +85,14 @@ final class SimulatedMessageHandler {
             readingsDue = nowMillis + READINGS_MILLIS;
             autopilot.payload().readings(nowMillis - bootedAt).forEach(out);
         }
+        if (reachedUntold >= 0) {
+            out.accept(new MissionItemReached(reachedUntold));
+            reachedUntold = -1;
+        }
+        if (startedUntold) {
+            startedUntold = false;
+            out.accept(build(MissionCurrent.ID, nowMillis));
+        }
         missions.step(nowMillis);
         parameters.step();
         logs.step();
@@ -115,6 +101,10 @@ final class SimulatedMessageHandler {
                 out.accept(build(id, nowMillis));
             }
         });
+    }
+
+    BatteryReports batteries() {
+        return telemetry.batteries();
     }
 
     SimulatedStorageFaults alterations() {
@@ -130,12 +120,19 @@ final class SimulatedMessageHandler {
     }
 
     void started(FlightEvent.ItemStarted started) {
+        startedUntold = true;
         if (autopilot.missionStyle().firstItemIsHome()) {
             sendText(TextSeverity.INFO, "Mission: " + started.index() + " " + started.type());
         }
     }
 
+    /** ArduPilot tells of the last of the items that are done at once. */
     void reached(int index) {
+        if (autopilot.missionStyle().overwritesInPlace()) {
+            reachedUntold = index;
+        } else {
+            out.accept(new MissionItemReached(index));
+        }
         String text = autopilot.reachedText(index);
         if (!text.isEmpty()) {
             sendText(TextSeverity.INFO, text);

@@ -4,7 +4,9 @@ import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.Attitude;
 import org.dronemap.mavlink.message.AutopilotVersion;
 import org.dronemap.mavlink.message.BatteryStatus;
+import org.dronemap.mavlink.message.EkfStatusReport;
 import org.dronemap.mavlink.message.ExtendedSysState;
+import org.dronemap.mavlink.message.FenceStatus;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.mavlink.message.GpsRawInt;
 import org.dronemap.mavlink.message.Heartbeat;
@@ -16,9 +18,9 @@ import org.dronemap.mavlink.message.SystemTime;
 import org.dronemap.mavlink.message.VfrHud;
 import org.dronemap.mavlink.message.Wind;
 import org.dronemap.sim.flight.SimulatedCraft;
-import org.dronemap.sim.flight.SimulatedParameters;
 import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.NeuPosition;
+import org.dronemap.sim.physics.SensorNoise;
 import org.dronemap.sim.physics.VehicleBody;
 import org.jspecify.annotations.Nullable;
 
@@ -27,11 +29,31 @@ public final class SimulatedTelemetry {
     private static final long SENSORS = 0x0021_FC2F | 0x0200_0000;
     private static final long GPS_SENSOR = 0x20;
     private static final long PREARM_CHECK = 0x1000_0000;
-    private static final int UNKNOWN_CELL = 0xFFFF;
+    private static final long FENCE = 0x0010_0000;
+    private static final int QUIET_MILLIMETERS = 300;
     private static final long CAPABILITIES = 1 | 4 | 8 | 128 | 256 | 8192;
+
+    /** The messages that flow at a rate. */
+    static final int[] STREAMED = {
+        GlobalPositionInt.ID,
+        Attitude.ID,
+        VfrHud.ID,
+        SysStatus.ID,
+        BatteryStatus.ID,
+        GpsRawInt.ID,
+        ExtendedSysState.ID,
+        HomePosition.ID,
+        MissionCurrent.ID,
+        SystemTime.ID,
+        ServoOutputRaw.ID,
+        Wind.ID,
+        EkfStatusReport.ID,
+        FenceStatus.ID
+    };
 
     private final SimulatedAutopilot autopilot;
     private final SimulatedCraft craft;
+    private final BatteryReports batteries;
     private final int hardware;
     private final long epochMicros;
 
@@ -39,6 +61,7 @@ public final class SimulatedTelemetry {
     public SimulatedTelemetry(SimulatedAutopilot autopilot, int hardware, long epochMicros) {
         this.autopilot = autopilot;
         this.craft = autopilot.craft();
+        this.batteries = new BatteryReports(autopilot);
         this.hardware = hardware;
         this.epochMicros = epochMicros;
     }
@@ -55,19 +78,23 @@ public final class SimulatedTelemetry {
             case GlobalPositionInt.ID -> position(nowMillis);
             case MissionCurrent.ID -> missionCurrent();
             case VfrHud.ID -> hud();
-            case BatteryStatus.ID -> battery();
+            case BatteryStatus.ID -> batteries.next();
             case HomePosition.ID -> home(craft);
             case ExtendedSysState.ID -> new ExtendedSysState(autopilot.vtolState(), autopilot.landedState());
             case AutopilotVersion.ID -> version();
             case Wind.ID -> wind();
             case ServoOutputRaw.ID -> autopilot.payload().outputs(nowMillis);
-            default -> null;
+            default -> autopilot.own(messageId);
         };
     }
 
     /** True for messages that only come once there is something to say. */
     boolean isSilent(int messageId) {
-        return messageId == HomePosition.ID && !craft.navigation().hasEstimate();
+        return switch (messageId) {
+            case HomePosition.ID -> !craft.navigation().hasEstimate();
+            case EkfStatusReport.ID, FenceStatus.ID -> autopilot.own(messageId) == null;
+            default -> false;
+        };
     }
 
     private SysStatus sysStatus() {
@@ -79,14 +106,18 @@ public final class SimulatedTelemetry {
             health |= PREARM_CHECK;
         }
         long present = SENSORS | PREARM_CHECK;
+        if (autopilot.own(FenceStatus.ID) instanceof FenceStatus fence) {
+            present |= FENCE;
+            health |= fence.breachStatus() == 0 ? FENCE : 0;
+        }
         return new SysStatus(
                 present,
                 present,
                 health,
                 150,
-                (int) Math.round(volts() * 1000),
-                (int) Math.round(craft.battery().amps() * 100),
-                percent(),
+                batteries.millivolts(),
+                batteries.centiamperes(),
+                batteries.percentOrUnknown(),
                 0,
                 0,
                 0,
@@ -98,21 +129,15 @@ public final class SimulatedTelemetry {
                 0);
     }
 
-    private double volts() {
-        SimulatedParameters.Parameter forced = autopilot.parameters().find("SIM_BATT_VOLTAGE");
-        return forced != null && forced.value() > 0
-                ? forced.value()
-                : craft.battery().volts();
-    }
-
-    private int percent() {
-        return (int) Math.round(Math.max(0, craft.battery().remainingPercent()));
+    /** What it tells of its batteries. */
+    BatteryReports batteries() {
+        return batteries;
     }
 
     private GpsRawInt gps(long nowMillis) {
         boolean fix = craft.navigation().hasFix();
         VehicleBody body = craft.body();
-        NeuPosition here = body.position();
+        NeuPosition here = craft.noise().received(craft.truePosition());
         LocalFrame frame = craft.frame();
         int altitude = fix ? (int) Math.round(frame.altitudeOf(here) * 1000) : 0;
         double course = Math.toDegrees(Math.atan2(body.velocityEast(), body.velocityNorth()));
@@ -128,11 +153,16 @@ public final class SimulatedTelemetry {
                 (int) Math.round((course + 360) % 360 * 100),
                 fix ? 10 : 0,
                 altitude,
-                300,
-                300,
+                declared(SensorNoise.DECLARED_HORIZONTAL),
+                declared(SensorNoise.DECLARED_VERTICAL),
                 40,
                 0,
                 0);
+    }
+
+    /** Millimetres. */
+    private int declared(double meters) {
+        return craft.noise().on() ? (int) (meters * 1000) : QUIET_MILLIMETERS;
     }
 
     /** Felt in flight alone, as by an estimator. */
@@ -194,26 +224,6 @@ public final class SimulatedTelemetry {
                 craft.armed() ? (int) Math.round(Math.min(100, body.thrust() * 36)) : 0,
                 (float) craft.frame().altitudeOf(body.position()),
                 (float) body.velocityUp());
-    }
-
-    private BatteryStatus battery() {
-        int[] cells = {
-            (int) Math.round(volts() * 1000),
-            UNKNOWN_CELL,
-            UNKNOWN_CELL,
-            UNKNOWN_CELL,
-            UNKNOWN_CELL,
-            UNKNOWN_CELL,
-            UNKNOWN_CELL,
-            UNKNOWN_CELL,
-            UNKNOWN_CELL,
-            UNKNOWN_CELL
-        };
-        int consumed = (int) Math.round(craft.battery().consumedMilliampHours());
-        int amps = (int) Math.round(craft.battery().amps() * 100);
-        int chargeState = percent() > 15 ? 1 : percent() > 7 ? 2 : 3;
-        return new BatteryStatus(
-                0, 0, 1, Short.MAX_VALUE, cells, amps, consumed, -1, percent(), 0, chargeState, new int[4], 0, 0);
     }
 
     /** Home and the vehicle's own frame, as HOME_POSITION wants it. */

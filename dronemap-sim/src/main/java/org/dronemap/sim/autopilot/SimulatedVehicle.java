@@ -7,10 +7,7 @@ import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.Heartbeat;
-import org.dronemap.mavlink.message.MissionCurrent;
-import org.dronemap.mavlink.message.MissionItemReached;
 import org.dronemap.mavlink.message.SetupSigning;
-import org.dronemap.mavlink.message.Statustext;
 import org.dronemap.mavlink.message.Timesync;
 import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.SimulatedCraft;
@@ -28,12 +25,15 @@ public final class SimulatedVehicle {
     private static final long BEAT_MILLIS = 1_000;
     private static final long REBOOT_MILLIS = 1_000;
 
-    private final SimulatedVehicleSettings settings;
+    private SimulatedVehicleSettings settings;
     private final AutopilotKind kind;
     private final SimulatedCraft craft;
-    private final FrameWriter writer;
+    private FrameWriter writer;
     private final Consumer<byte[]> link;
     private final SimulatedSigning signing;
+    private final LinkCompanions companions;
+    private TextSender texts = new TextSender(this::send);
+    private int cells;
     private SimulatedAutopilot autopilot;
     private SimulatedMessageHandler desk;
     private long now;
@@ -53,6 +53,7 @@ public final class SimulatedVehicle {
         this.writer = new FrameWriter(settings.systemId(), COMPONENT, settings.mavlinkVersion());
         this.signing =
                 new SimulatedSigning(settings.usb(), () -> Instant.ofEpochMilli(settings.epochMicros() / 1000 + now));
+        this.companions = new LinkCompanions(settings.systemId(), settings.mavlinkVersion(), link);
         this.nextBeat = settings.systemId() * 37L % BEAT_MILLIS;
         this.autopilot = makeAutopilot();
         this.desk = new SimulatedMessageHandler(autopilot, settings, 0, this::send, this::handle);
@@ -96,6 +97,7 @@ public final class SimulatedVehicle {
             sendHeartbeat();
             send(new Timesync(0, now * 1_000_000, 0, 0));
         }
+        companions.step(now);
         desk.step(now);
     }
 
@@ -111,15 +113,13 @@ public final class SimulatedVehicle {
 
     private void handle(FlightEvent event) {
         if (event instanceof FlightEvent.Text text) {
-            send(new Statustext(text.severity().number(), text.text(), 0, 0));
+            texts.send(text.severity(), text.text());
         } else if (event instanceof FlightEvent.Ordered ordered) {
             execute(ordered.order());
         } else if (event instanceof FlightEvent.ItemReached reached) {
-            send(new MissionItemReached(reached.index()));
             desk.reached(reached.index());
         } else if (event instanceof FlightEvent.ItemStarted started) {
             desk.started(started);
-            send(desk.build(MissionCurrent.ID, now));
         }
     }
 
@@ -165,6 +165,10 @@ public final class SimulatedVehicle {
     /** Switches off and on again: parameters, mission and battery stay, everything else is found anew. */
     public void reboot() {
         SimulatedParameters kept = autopilot.parameters();
+        var fence = autopilot.fence().items();
+        var rallyPoints = autopilot.rallyPoints().items();
+        takeSystemId(kept);
+        texts = new TextSender(this::send);
         var items = autopilot.plan().items();
         craft.setArmed(false);
         craft.repair();
@@ -175,12 +179,27 @@ public final class SimulatedVehicle {
             autopilot.parameters().set(kept.at(i).name(), kept.at(i).value());
         }
         autopilot.plan().replaceAll(items);
+        autopilot.rallyPoints().store(rallyPoints);
+        // From here on nothing is heard of it until it is up again.
+        silentUntil = now + REBOOT_MILLIS;
+        autopilot.fence().store(fence);
         autopilot.step(now, 0.001);
         desk = new SimulatedMessageHandler(autopilot, settings, bootedAt, this::send, this::handle);
-        silentUntil = now + REBOOT_MILLIS;
+        desk.batteries().setCells(cells);
         nextBeat = now + REBOOT_MILLIS;
         bannerDue = true;
         newAddressDue = true;
+    }
+
+    /** A system id that was written counts from the next start. */
+    private void takeSystemId(SimulatedParameters kept) {
+        for (String name : new String[] {"SYSID_THISMAV", "MAV_SYS_ID"}) {
+            SimulatedParameters.Parameter written = kept.find(name);
+            if (written != null && written.value() >= 1 && written.value() <= 255) {
+                settings = settings.withSystemId((int) written.value());
+                writer = new FrameWriter(settings.systemId(), COMPONENT, settings.mavlinkVersion());
+            }
+        }
     }
 
     /** True once after a reboot: a new socket has a new port. */
@@ -205,6 +224,22 @@ public final class SimulatedVehicle {
 
     public void sendText(TextSeverity severity, String text) {
         handle(new FlightEvent.Text(severity, text));
+    }
+
+    /** Who else speaks on its link. */
+    public LinkCompanions companions() {
+        return companions;
+    }
+
+    /** So many cells of its battery are told one by one; 0: their sum alone. */
+    public void setCells(int count) {
+        cells = count;
+        desk.batteries().setCells(count);
+    }
+
+    /** Its battery's monitor stops measuring, and says so. */
+    public void setBatteryUnknown(boolean on) {
+        desk.batteries().setUnknown(on);
     }
 
     /** What it keeps otherwise than it was told; a reboot forgets it. */

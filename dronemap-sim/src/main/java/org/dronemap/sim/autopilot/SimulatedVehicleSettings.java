@@ -25,4 +25,10 @@ public record SimulatedVehicleSettings(
         }
         presets = Map.copyOf(presets);
     }
+
+    /** The same with another system id. */
+    SimulatedVehicleSettings withSystemId(int other) {
+        return new SimulatedVehicleSettings(
+                other, hardware, mavlinkVersion, streamHertz, stick, epochMicros, usb, parameters, presets);
+    }
 }

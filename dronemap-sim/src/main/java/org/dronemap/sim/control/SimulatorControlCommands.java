@@ -20,7 +20,11 @@ public final class SimulatorControlCommands {
             signing                               who has a signing key, and how many frames each did not listen to
             wake <sysid|all>                      talks and listens from now on
             fault <sysid|all> silent <seconds>s   stops talking and listening for a while
-            fault <sysid|all> gps off|on          loses or regains GPS
+            text <sysid|all> <who> <words>        sends that text, in pieces if it is long; who: vehicle or a companion
+            companions <sysid|all> <names|none>   who else speaks on its link: gimbal, camera, computer, adsb, station
+            fault <sysid|all> gps off|on|<sec>s   loses or regains GPS, or loses it for so long
+            fault <sysid|all> battery-unknown on|off
+                                                  its battery's monitor stops measuring
             fault <sysid|all> battery <percent>   sets what the battery has left
             fault <sysid|all> crash               falls out of the sky and stays broken
             fault <sysid|all> motor-failure       one motor stops: falls and stays armed
@@ -45,6 +49,8 @@ public final class SimulatorControlCommands {
             case "signing" -> signing(vehicles);
             case "sensor" -> sensor(words, line.trim().split("\\s+"), vehicles);
             case "wake" -> wake(words, vehicles);
+            case "text" -> CompanionCommands.text(line.trim(), chosen(words, vehicles));
+            case "companions" -> CompanionCommands.companions(words, chosen(words, vehicles));
             case "fault" -> fault(words, vehicles);
             default -> "err unknown word '" + words[0] + "': say help";
         };
@@ -76,9 +82,9 @@ public final class SimulatorControlCommands {
                     Locale.ROOT,
                     "%d %.7f %.7f %.2f%n",
                     vehicle.systemId(),
-                    craft.frame().latitudeOf(craft.body().position()),
-                    craft.frame().longitudeOf(craft.body().position()),
-                    craft.aboveHome()));
+                    craft.frame().latitudeOf(craft.truePosition()),
+                    craft.frame().longitudeOf(craft.truePosition()),
+                    craft.aboveHome() - craft.noise().height()));
         }
         return text + "ok " + vehicles.size() + " vehicles";
     }
@@ -137,6 +143,18 @@ public final class SimulatorControlCommands {
                 : "ok " + chosen.size() + " vehicles";
     }
 
+    private static List<SimulatedVehicle> chosen(String[] words, List<SimulatedVehicle> vehicles) {
+        return words.length < 2 ? List.of() : chosen(words[1], vehicles);
+    }
+
+    private static String gps(SimulatedVehicle vehicle, String value) {
+        if (!value.matches("\\d{1,5}s")) {
+            return onOff("gps", value, on -> vehicle.craft().navigation().setReceiving(on));
+        }
+        vehicle.craft().navigation().lose(Long.parseLong(value.substring(0, value.length() - 1)) * 1000);
+        return "";
+    }
+
     private static List<SimulatedVehicle> chosen(String which, List<SimulatedVehicle> vehicles) {
         return vehicles.stream()
                 .filter(v -> which.equals("all") || which.equals(Integer.toString(v.systemId())))
@@ -166,7 +184,8 @@ public final class SimulatorControlCommands {
     private static String apply(SimulatedVehicle vehicle, String what, String value) {
         return switch (what) {
             case "silent" -> silence(vehicle, value);
-            case "gps" -> onOff(what, value, on -> vehicle.craft().navigation().setReceiving(on));
+            case "gps" -> gps(vehicle, value);
+            case "battery-unknown" -> onOff(what, value, vehicle::setBatteryUnknown);
             case "battery" -> battery(vehicle, value);
             case "crash" -> done(vehicle.craft()::crash);
             case "motor-failure" -> done(vehicle.craft()::failMotor);

@@ -7,9 +7,9 @@ public interface MissionLegs {
         return item.isFlown();
     }
 
-    /** What it tells of an item that it stores and cannot do. */
+    /** What it tells of an item that it stores and cannot do: that it has begun, and nothing of its end. */
     default FlightEvent passedOver(int index, SimulatedMissionItem item) {
-        return new FlightEvent.Text(TextSeverity.INFO, "Skipping invalid cmd #" + item.command());
+        return new FlightEvent.ItemStarted(index, item.typeName());
     }
 
     /** {@code yaw} in radians is where a condition item had it look; NaN: nowhere in particular. */

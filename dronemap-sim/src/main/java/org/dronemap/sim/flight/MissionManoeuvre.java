@@ -1,5 +1,7 @@
 package org.dronemap.sim.flight;
 
+import java.util.HashMap;
+import java.util.Map;
 import java.util.function.Consumer;
 import org.dronemap.sim.physics.MotionSetpoint;
 import org.dronemap.sim.physics.NeuPosition;
@@ -10,10 +12,14 @@ import org.jspecify.annotations.Nullable;
  * flown stays as it was begun, the next ones are read when their turn comes. Owned by its vehicle.
  */
 public final class MissionManoeuvre implements Manoeuvre {
+    /** Beyond so many jumps with nothing to fly between them it takes the mission for ended. */
+    private static final int MAX_JUMPS = 64;
+
     private final SimulatedMission plan;
     private final CruiseSpeeds cruise;
     private final MissionLegs legs;
     private final Consumer<FlightEvent> events;
+    private final Map<Integer, Integer> jumpsDone = new HashMap<>();
     private int index;
     private boolean ended;
     private double yaw = Double.NaN;
@@ -67,8 +73,13 @@ public final class MissionManoeuvre implements Manoeuvre {
     }
 
     private void begin(SimulatedCraft craft) {
-        while (index < plan.size() && !legs.flies(plan.item(index))) {
+        for (int jumps = 0; index < plan.size() && !legs.flies(plan.item(index)) && jumps < MAX_JUMPS; ) {
             SimulatedMissionItem order = plan.item(index);
+            if (order.command() == SimulatedMissionItem.JUMP) {
+                jumps++;
+                jump(order);
+                continue;
+            }
             if (order.isNavigation()) {
                 // What the autopilot stores and this vehicle cannot do is passed over, not flown to somewhere.
                 events.accept(legs.passedOver(index, order));
@@ -80,7 +91,7 @@ public final class MissionManoeuvre implements Manoeuvre {
             events.accept(new FlightEvent.ItemReached(index));
             index++;
         }
-        if (index >= plan.size()) {
+        if (index >= plan.size() || !legs.flies(plan.item(index))) {
             ended = true;
             leg = legs.afterwards(craft, leg == null ? new Grounded() : leg);
             events.accept(new FlightEvent.MissionEnded());
@@ -91,6 +102,20 @@ public final class MissionManoeuvre implements Manoeuvre {
         leg = legs.legFor(next, craft, yaw);
         arrivedAt = -1;
         events.accept(new FlightEvent.ItemStarted(index, next.typeName()));
+    }
+
+    /** Goes back to an item so many times, or for ever; then on. */
+    private void jump(SimulatedMissionItem order) {
+        int times = (int) order.param2();
+        int done = jumpsDone.getOrDefault(index, 0);
+        if (times >= 0 && done >= times) {
+            index++;
+            return;
+        }
+        jumpsDone.put(index, done + 1);
+        String word = times < 0 ? order.typeName() + " unlimited" : order.typeName() + " " + (done + 1) + "/" + times;
+        events.accept(new FlightEvent.ItemStarted(index, word));
+        index = (int) order.param1();
     }
 
     private void execute(SimulatedMissionItem order, SimulatedCraft craft) {

@@ -6,6 +6,7 @@ import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.MotionSetpoint;
 import org.dronemap.sim.physics.MulticopterBody;
 import org.dronemap.sim.physics.NeuPosition;
+import org.dronemap.sim.physics.SensorNoise;
 import org.dronemap.sim.physics.VehicleBody;
 import org.dronemap.sim.physics.WindModel;
 
@@ -23,6 +24,7 @@ public final class SimulatedCraft {
     private final BatteryModel battery;
     private final WindModel wind;
     private final NavigationEstimator navigation;
+    private final SensorNoise noise;
     private LocalFrame home;
     private boolean armed;
     private boolean motorFailed;
@@ -41,6 +43,17 @@ public final class SimulatedCraft {
 
     public SimulatedCraft(
             LocalFrame frame, VehicleBody body, BatteryModel battery, WindModel wind, NavigationEstimator navigation) {
+        this(frame, body, battery, wind, navigation, SensorNoise.none());
+    }
+
+    public SimulatedCraft(
+            LocalFrame frame,
+            VehicleBody body,
+            BatteryModel battery,
+            WindModel wind,
+            NavigationEstimator navigation,
+            SensorNoise noise) {
+        this.noise = noise;
         this.frame = frame;
         this.home = frame;
         this.body = body;
@@ -52,6 +65,8 @@ public final class SimulatedCraft {
     public void step(MotionSetpoint setpoint, long nowMillis, double seconds) {
         navigation.step(nowMillis);
         wind.step(seconds);
+        noise.step(seconds);
+        body.setGround(noise.height());
         boolean thrusting = armed && !motorFailed && !crashed && !battery.isEmpty();
         boolean falling = !body.onGround();
         body.step(thrusting ? setpoint : STILL, wind, seconds);
@@ -146,6 +161,15 @@ public final class SimulatedCraft {
 
     public double aboveHome() {
         return body.up() - (home.altitudeAmsl() - frame.altitudeAmsl());
+    }
+
+    public SensorNoise noise() {
+        return noise;
+    }
+
+    /** Where it is in truth, whatever it believes. */
+    public NeuPosition truePosition() {
+        return noise.truth(body.position());
     }
 
     public LocalFrame frame() {

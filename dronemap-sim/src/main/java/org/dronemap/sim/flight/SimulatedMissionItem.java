@@ -26,11 +26,13 @@ public record SimulatedMissionItem(
     public static final int RETURN_TO_LAUNCH = 20;
     public static final int LAND = 21;
     public static final int TAKEOFF = 22;
+    public static final int CHANGE_ALTITUDE = 30;
     public static final int LOITER_TO_ALTITUDE = 31;
     public static final int VTOL_TAKEOFF = 84;
     public static final int VTOL_LAND = 85;
     public static final int DELAY = 93;
     public static final int CONDITION_YAW = 115;
+    public static final int JUMP = 177;
     public static final int CHANGE_SPEED = 178;
     public static final int SET_SERVO = 183;
     public static final int LAND_START = 189;
@@ -82,7 +84,7 @@ public record SimulatedMissionItem(
         return command >= 112 && command <= 115;
     }
 
-    /** Orders to speed, servos, mounts and cameras; a jump, 177, is not flown here. */
+    /** Orders to speed, servos, mounts and cameras. */
     private boolean isSetting() {
         boolean toCamera = (command >= 530 && command <= 534) || (command >= 2000 && command <= 2501);
         return (command >= 178 && command <= 252) || command == 1000 || toCamera;
@@ -119,7 +121,9 @@ public record SimulatedMissionItem(
             case CHANGE_SPEED -> "ChangeSpeed";
             case SET_SERVO -> "SetServo";
             case LAND_START -> "LandStart";
-            case LOOK_AT, LOOK_AHEAD, SET_ROI -> "ROI";
+            case LOOK_AT, LOOK_AHEAD, SET_ROI -> "SetROI";
+            case JUMP -> "Jump";
+            case CHANGE_ALTITUDE -> "ContinueAndChangeAlt";
             case DIGICAM_CONTROL -> "DigiCamCtrl";
             default -> "Cmd" + command;
         };

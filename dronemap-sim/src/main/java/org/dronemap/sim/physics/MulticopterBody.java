@@ -7,6 +7,7 @@ import org.jspecify.annotations.Nullable;
  * vehicle.
  */
 public final class MulticopterBody implements VehicleBody {
+    private static final double CLEAR_METERS = 0.05;
     private static final double GRAVITY = 9.80665;
     private static final double POSITION_GAIN = 1.0;
     private static final double ATTITUDE_SECONDS = 0.15;
@@ -16,6 +17,7 @@ public final class MulticopterBody implements VehicleBody {
     private double north;
     private double east;
     private double up;
+    private double ground;
     private double velocityNorth;
     private double velocityEast;
     private double velocityUp;
@@ -145,7 +147,7 @@ public final class MulticopterBody implements VehicleBody {
             accelerationNorth *= limit / size;
             accelerationEast *= limit / size;
         }
-        boolean airborne = up > 0.05;
+        boolean airborne = up > ground + CLEAR_METERS;
         lean(accelerationNorth, accelerationEast, wind, airborne ? seconds : 0);
         if (airborne) {
             // The mean wind is flown against by leaning; what a gust adds comes too quickly for that.
@@ -200,7 +202,7 @@ public final class MulticopterBody implements VehicleBody {
     private void unpowered(double seconds) {
         thrust = 0;
         yawRate = 0;
-        if (up <= 0 && velocityUp <= 0) {
+        if (up <= ground && velocityUp <= 0) {
             velocityNorth = 0;
             velocityEast = 0;
             rollRate = 0;
@@ -223,14 +225,23 @@ public final class MulticopterBody implements VehicleBody {
         up += velocityUp * seconds;
     }
 
+    @Override
+    public void setGround(double meters) {
+        boolean standing = onGround();
+        ground = meters;
+        if (standing) {
+            up = ground;
+        }
+    }
+
     private void meetGround() {
-        if (up > 0) {
+        if (up > ground) {
             return;
         }
         if (velocityUp < 0) {
             impactSpeed = -velocityUp;
         }
-        up = 0;
+        up = ground;
         velocityUp = Math.max(0, velocityUp);
         velocityNorth = 0;
         velocityEast = 0;
@@ -251,12 +262,12 @@ public final class MulticopterBody implements VehicleBody {
         double distance = speed * speed / (2 * airframe.horizontalAcceleration());
         double share = speed > 1e-6 ? distance / speed : 0;
         double rise = velocityUp * Math.abs(velocityUp) / (2 * airframe.verticalAcceleration());
-        return new NeuPosition(north + velocityNorth * share, east + velocityEast * share, Math.max(0, up + rise));
+        return new NeuPosition(north + velocityNorth * share, east + velocityEast * share, Math.max(ground, up + rise));
     }
 
     @Override
     public boolean onGround() {
-        return up <= 0 && velocityUp <= 0;
+        return up <= ground && velocityUp <= 0;
     }
 
     @Override
@@ -286,7 +297,7 @@ public final class MulticopterBody implements VehicleBody {
 
     @Override
     public double airSpeed(WindModel wind) {
-        return up > 0.05 ? Math.hypot(velocityNorth - wind.north(), velocityEast - wind.east()) : 0;
+        return up > ground + CLEAR_METERS ? Math.hypot(velocityNorth - wind.north(), velocityEast - wind.east()) : 0;
     }
 
     @Override

@@ -11,6 +11,9 @@ public interface VehicleBody {
 
     boolean onGround();
 
+    /** The ground is at this height from now on, metres: what measures heights has drifted. */
+    default void setGround(double meters) {}
+
     double up();
 
     double velocityNorth();

@@ -6,7 +6,6 @@ import org.dronemap.sim.autopilot.MavCmd;
 import org.dronemap.sim.autopilot.MavCommand;
 import org.dronemap.sim.autopilot.SimulatedCommandResult;
 import org.dronemap.sim.autopilot.ardupilot.ArduPilotCommands;
-import org.dronemap.sim.flight.CruiseSpeeds;
 import org.dronemap.sim.flight.GoTo;
 import org.dronemap.sim.flight.MovingTargetManoeuvre;
 import org.dronemap.sim.flight.SimulatedCraft;
@@ -74,23 +73,30 @@ final class CopterCommands extends ArduPilotCommands {
         if (!copter.change(CopterMode.GUIDED)) {
             return SimulatedCommandResult.FAILED;
         }
-        goTo(order.latitude(), order.longitude(), order.altitude(), order.isAmsl());
+        if (!goTo(order.latitude(), order.longitude(), order.altitude(), order.isAmsl())) {
+            return SimulatedCommandResult.FAILED;
+        }
         if (order.param1() > 0) {
             flight.cruise().setHorizontal(order.param1());
         }
         return SimulatedCommandResult.ACCEPTED;
     }
 
-    private void goTo(double latitude, double longitude, double altitude, boolean amsl) {
+    private boolean goTo(double latitude, double longitude, double altitude, boolean amsl) {
         double above = amsl ? altitude - craft.home().altitudeAmsl() : altitude;
-        goTo(craft.locate(latitude, longitude, above), Double.NaN);
+        return goTo(craft.locate(latitude, longitude, above), Double.NaN);
     }
 
-    private void goTo(NeuPosition target, double yaw) {
+    /** False for a place outside of its fence, which it does not fly to. */
+    private boolean goTo(NeuPosition target, double yaw) {
+        if (!copter.fence().allows(target)) {
+            return false;
+        }
         // On the ground only a take-off lifts it; a target is taken and not flown.
         if (craft.armed() && !craft.landed()) {
             flight.goTo(target, yaw);
         }
+        return true;
     }
 
     private SimulatedCommandResult turn(MavCommand order) {
@@ -111,18 +117,18 @@ final class CopterCommands extends ArduPilotCommands {
         return Math.toRadians(degreesPerSecond > 0 ? Math.min(degreesPerSecond, QUICKEST_TURN) : QUICKEST_TURN);
     }
 
+    /** Of the kinds 2 is up, all beyond down, all others over ground. */
     private SimulatedCommandResult changeSpeed(MavCommand order) {
         if (!(order.param2() > 0)) {
-            return SimulatedCommandResult.DENIED;
+            return SimulatedCommandResult.FAILED;
         }
-        CruiseSpeeds cruise = flight.cruise();
-        switch ((int) order.param1()) {
-            case 0, 1 -> cruise.setHorizontal(order.param2());
-            case 2 -> cruise.setClimb(order.param2());
-            case 3 -> cruise.setSink(order.param2());
-            default -> {
-                return SimulatedCommandResult.DENIED;
-            }
+        int kind = (int) order.param1();
+        if (kind > 2) {
+            flight.cruise().setSink(order.param2());
+        } else if (kind == 2) {
+            flight.cruise().setClimb(order.param2());
+        } else {
+            flight.cruise().setHorizontal(order.param2());
         }
         return SimulatedCommandResult.ACCEPTED;
     }
@@ -158,6 +164,9 @@ final class CopterCommands extends ArduPilotCommands {
             double above = amsl ? target.alt() - craft.home().altitudeAmsl() : target.alt();
             NeuPosition place = craft.locate(target.latInt() / 1e7, target.lonInt() / 1e7, above);
             if ((target.typeMask() & IGNORE_VELOCITY) == 0) {
+                if (!copter.fence().allows(place)) {
+                    return;
+                }
                 flight.pursue(new MovingTargetManoeuvre.Moving(place, target.vx(), target.vy(), -target.vz()), yaw);
             } else {
                 goTo(place, yaw);

@@ -11,6 +11,7 @@ final class CopterFailsafes extends ArduPilotFailsafes {
     private static final int CONTINUE_LANDING = 8;
     private static final int CONTINUE_PILOTED_WITHOUT_GCS = 16;
     private static final long THRUST_LOSS_MILLIS = 5_000;
+    private static final double GIVE_UP_METERS = 100;
 
     private final SimulatedArduCopter copter;
     private final SimulatedCraft craft;
@@ -18,6 +19,7 @@ final class CopterFailsafes extends ArduPilotFailsafes {
     private boolean groundStationLost;
     private boolean positionLost;
     private boolean hadPosition;
+    private boolean landsForIt;
     private long motorFailedAt = -1;
     private boolean thrustLossReported;
 
@@ -30,7 +32,7 @@ final class CopterFailsafes extends ArduPilotFailsafes {
 
     @Override
     public boolean any() {
-        return battery.tripped() || groundStationLost || positionLost;
+        return battery.tripped() || copter.secondBattery().tripped() || groundStationLost || positionLost;
     }
 
     @Override
@@ -38,6 +40,7 @@ final class CopterFailsafes extends ArduPilotFailsafes {
         checkGroundStation(nowMillis);
         checkPosition();
         checkMotors(nowMillis);
+        checkFence(nowMillis);
     }
 
     @Override
@@ -99,14 +102,40 @@ final class CopterFailsafes extends ArduPilotFailsafes {
         hadPosition |= has;
         if (hadPosition && !has && !positionLost) {
             positionLost = true;
+            copter.sendText(TextSeverity.CRITICAL, "EKF variance");
             if (craft.armed() && copter.flight().mode().needsPosition()) {
-                copter.sendText(TextSeverity.CRITICAL, "EKF variance");
+                landsForIt = true;
                 copter.change(CopterMode.LAND);
                 copter.sendText(TextSeverity.CRITICAL, "EKF Failsafe: changed to LAND Mode");
             }
         } else if (has && positionLost) {
             positionLost = false;
-            copter.sendText(TextSeverity.CRITICAL, "EKF Failsafe Cleared");
+            if (landsForIt) {
+                landsForIt = false;
+                copter.sendText(TextSeverity.CRITICAL, "EKF Failsafe Cleared");
+            }
+        }
+    }
+
+    /** FENCE_ACTION 0 tells, 2 lands, 4 brakes, all others return; far outside it lands whatever was asked for. */
+    private void checkFence(long nowMillis) {
+        if (!copter.fence().check(nowMillis) || !craft.armed()) {
+            return;
+        }
+        int action = (int) copter.parameters().value("FENCE_ACTION");
+        if (craft.landed()) {
+            if (action != 0) {
+                copter.disarm(true);
+            }
+            return;
+        }
+        copter.sendText(TextSeverity.NOTICE, "Fence Breached");
+        if (action == 0) {
+            return;
+        }
+        CopterMode wanted = action == 4 ? CopterMode.BRAKE : CopterMode.RTL;
+        if (action == 2 || copter.fence().metersOutside() > GIVE_UP_METERS || !copter.change(wanted)) {
+            copter.change(CopterMode.LAND);
         }
     }
 

@@ -45,7 +45,7 @@ public final class SimulatedArduCopter extends SimulatedArduPilot {
                 modeAnnouncer);
         this.flight = new CopterFlight(craft, plan(), parameters(), events);
         this.failsafes = new CopterFailsafes(this, battery());
-        this.checks = new ArmingChecks(craft, parameters(), plan(), battery());
+        this.checks = new CopterChecks(this, battery());
         this.orders = new CopterCommands(this, flight);
     }
 

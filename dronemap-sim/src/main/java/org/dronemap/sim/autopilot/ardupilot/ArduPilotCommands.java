@@ -41,6 +41,7 @@ public abstract class ArduPilotCommands {
             case MavCmd.DIGICAM_CONTROL -> picture(order.shoots());
             case MavCmd.SET_RELAY -> vehicle.payload().setRelay((int) order.param1(), (int) order.param2());
             case MavCmd.RUN_PREARM_CHECKS -> runChecks();
+            case MavCmd.FENCE_ENABLE -> switchFence((int) order.param1());
             default -> executeOwn(order);
         };
     }
@@ -79,6 +80,15 @@ public abstract class ArduPilotCommands {
         }
         sendHome();
         return SimulatedCommandResult.ACCEPTED;
+    }
+
+    /** 0 off, 1 on, 2 only its floor off, which this one does not have. */
+    private SimulatedCommandResult switchFence(int action) {
+        return switch (action) {
+            case 0, 1 -> SimulatedCommandResult.acceptedIf(vehicle.fence().enable(action == 1));
+            case 2 -> SimulatedCommandResult.ACCEPTED;
+            default -> SimulatedCommandResult.FAILED;
+        };
     }
 
     private SimulatedCommandResult runChecks() {

@@ -5,7 +5,6 @@ import org.dronemap.sim.flight.TextSeverity;
 
 /** The fail-safes of a simulated ArduPilot vehicle: when they trip is alike, what follows is each vehicle's own. */
 public abstract class ArduPilotFailsafes {
-    private static final double RECOVERED_VOLTS = 0.3;
     private static final long NEVER = -1;
 
     private final SimulatedArduPilot vehicle;
@@ -38,17 +37,16 @@ public abstract class ArduPilotFailsafes {
     }
 
     void check(long nowMillis) {
-        checkBattery(nowMillis);
+        checkBattery(battery, nowMillis);
+        checkBattery(vehicle.secondBattery(), nowMillis);
         checkOwn(nowMillis);
     }
 
-    private void checkBattery(long nowMillis) {
-        if (!craft.armed()
-                && battery.tripped()
-                && battery.volts() > vehicle.parameters().value("BATT_LOW_VOLT") + RECOVERED_VOLTS) {
-            battery.reset();
+    private void checkBattery(BatteryFailsafe failsafe, long nowMillis) {
+        if (!craft.armed() && failsafe.isRecovered()) {
+            failsafe.reset();
         }
-        BatteryFailsafe.Trip trip = battery.check(nowMillis);
+        BatteryFailsafe.Trip trip = failsafe.check(nowMillis);
         if (trip == null) {
             return;
         }

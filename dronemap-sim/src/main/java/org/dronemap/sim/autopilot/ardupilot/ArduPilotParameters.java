@@ -5,6 +5,7 @@ import static org.dronemap.sim.flight.SimulatedParameters.INT32;
 import static org.dronemap.sim.flight.SimulatedParameters.INT8;
 import static org.dronemap.sim.flight.SimulatedParameters.REAL32;
 
+import org.dronemap.sim.autopilot.fence.SimulatedFence;
 import org.dronemap.sim.flight.SimulatedParameters;
 
 /** The parameters that every simulated ArduPilot vehicle has, with ArduPilot's defaults. */
@@ -13,7 +14,7 @@ public final class ArduPilotParameters {
 
     /** A new table, to which each vehicle adds its own. */
     public static SimulatedParameters shared(int systemId, double batteryMilliampHours) {
-        return new SimulatedParameters()
+        return SimulatedFence.withParameters(secondBattery(new SimulatedParameters()))
                 .add("SYSID_THISMAV", INT16, systemId)
                 .add("SYSID_MYGCS", INT16, 255)
                 .add("BATT_MONITOR", INT8, 4)
@@ -30,5 +31,19 @@ public final class ArduPilotParameters {
                 .add("SIM_BATT_VOLTAGE", REAL32, 0)
                 .add("SIM_GPS_DISABLE", INT8, 0)
                 .add("SIM_ENGINE_MUL", REAL32, 1);
+    }
+
+    /** Without a monitor there is no second battery. */
+    private static SimulatedParameters secondBattery(SimulatedParameters parameters) {
+        return parameters
+                .add("BATT2_MONITOR", INT8, 0)
+                .add("BATT2_CAPACITY", INT32, 3300)
+                .add("BATT2_LOW_TIMER", INT8, 10)
+                .add("BATT2_LOW_VOLT", REAL32, 10.5)
+                .add("BATT2_LOW_MAH", REAL32, 0)
+                .add("BATT2_CRT_VOLT", REAL32, 0)
+                .add("BATT2_CRT_MAH", REAL32, 0)
+                .add("BATT2_FS_LOW_ACT", INT8, 0)
+                .add("BATT2_FS_CRT_ACT", INT8, 0);
     }
 }

@@ -1,5 +1,6 @@
 package org.dronemap.sim.autopilot.ardupilot;
 
+import java.util.List;
 import java.util.Locale;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.SimulatedParameters;
@@ -10,16 +11,49 @@ public final class BatteryFailsafe {
     /** A tripped battery fail-safe and its action, which each vehicle numbers in its own way; 0 only warns. */
     public record Trip(String text, int action) {}
 
+    private static final double RECOVERED_VOLTS = 0.3;
+
     private final SimulatedCraft craft;
     private final SimulatedParameters parameters;
+    private final int number;
+    private final String prefix;
     private long lowSince = -1;
     private long criticalSince = -1;
     private boolean low;
     private boolean critical;
 
-    public BatteryFailsafe(SimulatedCraft craft, SimulatedParameters parameters) {
+    /** {@code number} counts from 1; beyond the first only with a monitor of its own. */
+    public BatteryFailsafe(SimulatedCraft craft, SimulatedParameters parameters, int number) {
         this.craft = craft;
         this.parameters = parameters;
+        this.number = number;
+        this.prefix = number == 1 ? "BATT_" : "BATT" + number + "_";
+    }
+
+    private double value(String name) {
+        return parameters.value(prefix + name);
+    }
+
+    /** What keeps it from arming; empty when nothing does. */
+    public List<String> complaints() {
+        if (!isMonitored()) {
+            return List.of();
+        }
+        if (volts() < value("CRT_VOLT")) {
+            return List.of("Battery " + number + " critical voltage failsafe");
+        }
+        return volts() < value("LOW_VOLT") || tripped()
+                ? List.of("Battery " + number + " low voltage failsafe")
+                : List.of();
+    }
+
+    private boolean isMonitored() {
+        return number == 1 || value("MONITOR") != 0;
+    }
+
+    /** So much above its low voltage that it counts as another one. */
+    boolean isRecovered() {
+        return tripped() && volts() > value("LOW_VOLT") + RECOVERED_VOLTS;
     }
 
     public double volts() {
@@ -46,17 +80,20 @@ public final class BatteryFailsafe {
 
     @Nullable
     Trip check(long nowMillis) {
-        long delay = (long) (parameters.value("BATT_LOW_TIMER") * 1000);
-        criticalSince = since(criticalSince, isBelow("BATT_CRT_VOLT", "BATT_CRT_MAH"), nowMillis);
-        lowSince = since(lowSince, isBelow("BATT_LOW_VOLT", "BATT_LOW_MAH"), nowMillis);
+        if (!isMonitored()) {
+            return null;
+        }
+        long delay = (long) (value("LOW_TIMER") * 1000);
+        criticalSince = since(criticalSince, isBelow("CRT_VOLT", "CRT_MAH"), nowMillis);
+        lowSince = since(lowSince, isBelow("LOW_VOLT", "LOW_MAH"), nowMillis);
         if (!critical && criticalSince >= 0 && nowMillis - criticalSince >= delay) {
             critical = true;
             low = true;
-            return new Trip(text("critical"), (int) parameters.value("BATT_FS_CRT_ACT"));
+            return new Trip(text("critical"), (int) value("FS_CRT_ACT"));
         }
         if (!low && lowSince >= 0 && nowMillis - lowSince >= delay) {
             low = true;
-            return new Trip(text("low"), (int) parameters.value("BATT_FS_LOW_ACT"));
+            return new Trip(text("low"), (int) value("FS_LOW_ACT"));
         }
         return null;
     }
@@ -70,13 +107,14 @@ public final class BatteryFailsafe {
 
     private boolean isBelow(String voltsName, String remainingName) {
         double left = craft.battery().capacityMilliampHours() - craft.battery().consumedMilliampHours();
-        return volts() < parameters.value(voltsName) || left < parameters.value(remainingName);
+        return volts() < value(voltsName) || left < value(remainingName);
     }
 
     private String text(String kind) {
         return String.format(
                 Locale.ROOT,
-                "Battery 1 is %s %.2fV used %.0f mAh",
+                "Battery %d is %s %.2fV used %.0f mAh",
+                number,
                 kind,
                 volts(),
                 craft.battery().consumedMilliampHours());

@@ -3,13 +3,18 @@ package org.dronemap.sim.autopilot.ardupilot;
 import java.util.List;
 import java.util.function.Consumer;
 import org.dronemap.mavlink.Message;
+import org.dronemap.mavlink.message.EkfStatusReport;
+import org.dronemap.mavlink.message.FenceStatus;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
+import org.dronemap.sim.autopilot.EstimatorReport;
+import org.dronemap.sim.autopilot.FenceStorage;
 import org.dronemap.sim.autopilot.MavCommand;
 import org.dronemap.sim.autopilot.MissionProtocolStyle;
 import org.dronemap.sim.autopilot.SimulatedAutopilot;
 import org.dronemap.sim.autopilot.SimulatedCommandResult;
 import org.dronemap.sim.autopilot.SimulatedPayload;
+import org.dronemap.sim.autopilot.fence.SimulatedFence;
 import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.SimulatedMission;
@@ -31,6 +36,9 @@ public abstract class SimulatedArduPilot implements SimulatedAutopilot {
     private final SimulatedMission plan = new SimulatedMission();
     private final SimulatedPayload payload = new SimulatedPayload();
     private final BatteryFailsafe battery;
+    private final BatteryFailsafe secondBattery;
+    private final SimulatedFence fence;
+    private final FenceStorage rallyPoints = FenceStorage.unheeded();
     private final Consumer<FlightEvent> events;
     private final Consumer<Message> out;
     private final Runnable modeAnnouncer;
@@ -47,7 +55,9 @@ public abstract class SimulatedArduPilot implements SimulatedAutopilot {
             Runnable modeAnnouncer) {
         this.craft = craft;
         this.parameters = parameters;
-        this.battery = new BatteryFailsafe(craft, parameters);
+        this.battery = new BatteryFailsafe(craft, parameters, 1);
+        this.secondBattery = new BatteryFailsafe(craft, parameters, 2);
+        this.fence = new SimulatedFence(craft, parameters, events);
         this.events = events;
         this.out = out;
         this.modeAnnouncer = modeAnnouncer;
@@ -195,6 +205,30 @@ public abstract class SimulatedArduPilot implements SimulatedAutopilot {
         return battery;
     }
 
+    /** Counts only with BATT2_MONITOR. */
+    public BatteryFailsafe secondBattery() {
+        return secondBattery;
+    }
+
+    @Override
+    public SimulatedFence fence() {
+        return fence;
+    }
+
+    @Override
+    public FenceStorage rallyPoints() {
+        return rallyPoints;
+    }
+
+    @Override
+    public @Nullable Message own(int messageId) {
+        return switch (messageId) {
+            case EkfStatusReport.ID -> EstimatorReport.of(craft.navigation(), craft.landed());
+            case FenceStatus.ID -> fence.enabled() ? fence.status() : null;
+            default -> null;
+        };
+    }
+
     protected long now() {
         return now;
     }
@@ -299,7 +333,11 @@ public abstract class SimulatedArduPilot implements SimulatedAutopilot {
                     craft.failMotor();
                 }
             }
-            case "SIM_BATT_VOLTAGE" -> battery.restartTimers();
+            case "SIM_BATT_VOLTAGE" -> {
+                battery.restartTimers();
+                secondBattery.restartTimers();
+            }
+            case "BATT2_LOW_VOLT", "BATT2_CRT_VOLT" -> secondBattery.restartTimers();
             default -> flight().readSpeeds();
         }
     }

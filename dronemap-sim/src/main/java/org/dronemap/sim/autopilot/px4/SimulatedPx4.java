@@ -14,6 +14,7 @@ import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.mavlink.message.SysStatus;
 import org.dronemap.mavlink.message.SystemTime;
 import org.dronemap.mavlink.message.VfrHud;
+import org.dronemap.sim.autopilot.FenceStorage;
 import org.dronemap.sim.autopilot.MavCommand;
 import org.dronemap.sim.autopilot.MissionProtocolStyle;
 import org.dronemap.sim.autopilot.SimulatedAutopilot;
@@ -36,6 +37,8 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
 
     private final SimulatedCraft craft;
     private final SimulatedParameters parameters;
+    private final FenceStorage fence = FenceStorage.unheeded();
+    private final FenceStorage rallyPoints = FenceStorage.unheeded();
     private final SimulatedMission plan = new SimulatedMission();
     private final SimulatedPayload payload = new SimulatedPayload();
     private final Consumer<FlightEvent> events;
@@ -293,6 +296,16 @@ public final class SimulatedPx4 implements SimulatedAutopilot {
     @Override
     public MissionProtocolStyle missionStyle() {
         return STYLE;
+    }
+
+    @Override
+    public FenceStorage fence() {
+        return fence;
+    }
+
+    @Override
+    public FenceStorage rallyPoints() {
+        return rallyPoints;
     }
 
     @Override
