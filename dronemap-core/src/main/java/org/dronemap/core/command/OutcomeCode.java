@@ -13,13 +13,13 @@ import org.dronemap.core.stored.StoredNames;
         names = "drone-not-of-key role-may-not-command key-may-not-command command-not-granted "
                 + "not-disarmed-for-planner drone-is-a-recording contact-lost capabilities-unknown "
                 + "capability-missing already-armed not-armed drone-airborne not-airborne mission-missing "
-                + "mode-unknown mode-not-steerable heading-unknown home-unknown place-too-far mission-not-for-vehicle zone-forbids "
+                + "mode-unknown mode-not-steerable heading-unknown home-unknown place-too-far zone-forbids "
                 + "zone-not-checkable key-bounds-forbid key-bounds-not-checkable control-held control-ended command-under-way transfer-under-way link-missing "
                 + "server-overloaded not-sent not-written-down drone-removed server-fault autopilot-unknown not-settable command-refused "
                 + "vehicle-busy vehicle-denied vehicle-does-not-know vehicle-failed vehicle-cancelled "
                 + "positions-not-taken mission-item-not-known mission-too-long mission-value-not-taken "
                 + "mission-out-of-order vehicle-refused command-failed command-timed-out command-superseded "
-                + "outcome-unknown")
+                + "outcome-unknown mission-not-for-vehicle")
 public enum OutcomeCode {
     DRONE_NOT_OF_KEY("The access key is for other drones.", "This access key is for other drones."),
     ROLE_MAY_NOT_COMMAND(
@@ -55,9 +55,6 @@ public enum OutcomeCode {
     PLACE_TOO_FAR(
             "The place is farther away than a drone is sent at one go.",
             "47.00000, 8.00000 is 300 km from where it is; it is sent at most 100 km far."),
-    MISSION_NOT_FOR_VEHICLE(
-            "An item of the mission is none that this vehicle flies, or has a value that it does not take.",
-            "Item 2 (waypoint): this vehicle (ArduPlane) does not wait at a waypoint; \"holdSeconds\" must be 0, not 5.0."),
     ZONE_FORBIDS(
             "A zone forbids the way.",
             "The way from where the drone is to the place enters the no-fly zone “Airport” after 445 m."),
@@ -128,7 +125,10 @@ public enum OutcomeCode {
             "Control has changed hands. Nobody has control; take it."),
     OUTCOME_UNKNOWN(
             "It may or may not have acted, and nobody can tell any more.",
-            "The vehicle accepted it, but has not said what it does since.");
+            "The vehicle accepted it, but has not said what it does since."),
+    MISSION_NOT_FOR_VEHICLE(
+            "An item of the mission is none that this vehicle flies, or has a value that it does not take.",
+            "Item 2 (waypoint): this vehicle (ArduPlane) does not wait at a waypoint; \"holdSeconds\" must be 0, not 5.0.");
 
     private static final Set<OutcomeCode> AFTERWARDS = EnumSet.range(VEHICLE_BUSY, OUTCOME_UNKNOWN);
 

@@ -85,8 +85,8 @@ class MissionItemsOfVehiclesTest {
                 Duration.ofSeconds(20),
                 () -> peer.known().filter(state -> state.capabilities().known()).isPresent());
 
-        assertThatThrownBy(() -> ann.give(
-                        peer, CommandRequests.uploadMission(MissionItemRequest.of(List.of(BEFORE, item)))))
+        assertThatThrownBy(() ->
+                        ann.give(peer, CommandRequests.uploadMission(MissionItemRequest.of(List.of(BEFORE, item)))))
                 .isInstanceOfSatisfying(InvalidInput.class, refused -> {
                     assertThat(refused.field()).isEqualTo(field);
                     assertThat(refused.sentence()).contains(words);
