@@ -89,10 +89,12 @@ public record MissionAbilities(Set<MissionItem.Kind> kinds, Hold hold, Landing l
             return Optional.of(new MissionItemFault(
                     index, "type", "one of " + words(), "does not fly such an item in a mission; it flies " + words()));
         }
-        if (item instanceof MissionItem.Waypoint waypoint && !takesHold(waypoint.holdSeconds())) {
-            return Optional.of(hold(index, waypoint.holdSeconds()));
-        }
-        return item instanceof MissionItem.Land land ? landing(items, index, land) : Optional.empty();
+        return switch (item.kind()) {
+            case WAYPOINT -> hold(index, ((MissionItem.Waypoint) item).holdSeconds());
+            case LAND -> landing(items, index, (MissionItem.Land) item);
+            case TAKE_OFF, RETURN_TO_LAUNCH, WAIT, TAKE_PHOTO, SET_SERVO, LOOK_AT, LOOK_AHEAD, OTHER ->
+                Optional.empty();
+        };
     }
 
     private Optional<MissionItemFault> landing(List<MissionItem> items, int index, MissionItem.Land land) {
@@ -111,12 +113,17 @@ public record MissionAbilities(Set<MissionItem.Kind> kinds, Hold hold, Landing l
         };
     }
 
-    private MissionItemFault hold(int index, double seconds) {
+    private Optional<MissionItemFault> hold(int index, double seconds) {
+        if (takesHold(seconds)) {
+            return Optional.empty();
+        }
         String allowed = hold == Hold.NONE ? "0" : "whole seconds, 0 to " + LONGEST_HOLD_SECONDS;
-        String reason = hold == Hold.NONE
-                ? "does not wait at a waypoint; \"holdSeconds\" must be 0, not " + seconds
-                : "waits for whole seconds at a waypoint; \"holdSeconds\" must be " + allowed + ", not " + seconds;
-        return new MissionItemFault(index, "holdSeconds", allowed, reason);
+        String does = hold == Hold.NONE ? "does not wait" : "waits for whole seconds";
+        return Optional.of(new MissionItemFault(
+                index,
+                "holdSeconds",
+                allowed,
+                does + " at a waypoint; \"holdSeconds\" must be " + allowed + ", not " + seconds));
     }
 
     private String words() {

@@ -28,11 +28,11 @@ public final class MissionWarnings {
         List<Place> places = new ArrayList<>();
         List<String> doubts = new ArrayList<>();
         for (int index = 0; index < mission.items().size(); index++) {
-            if (mission.items().get(index) instanceof MissionItem.Waypoint waypoint) {
-                places.add(new Place(index + 1, waypoint.point()));
-                oddAltitude(index + 1, waypoint.altitude()).ifPresent(doubts::add);
-            } else if (mission.items().get(index) instanceof MissionItem.Land land && land.place() != null) {
-                places.add(new Place(index + 1, land.place().point()));
+            MissionItem item = mission.items().get(index);
+            int number = index + 1;
+            place(item).ifPresent(point -> places.add(new Place(number, point)));
+            if (item instanceof MissionItem.Waypoint waypoint) {
+                oddAltitude(number, waypoint.altitude()).ifPresent(doubts::add);
             }
         }
         longWay(places).ifPresent(sentence -> doubts.add(0, sentence));
@@ -41,6 +41,16 @@ public final class MissionWarnings {
             far(places, from).ifPresent(sentence -> doubts.add(0, sentence));
         }
         return List.copyOf(doubts);
+    }
+
+    /** Where it flies to by that item. */
+    private static Optional<Geodetic> place(MissionItem item) {
+        return switch (item.kind()) {
+            case WAYPOINT -> Optional.of(((MissionItem.Waypoint) item).point());
+            case LAND -> Optional.ofNullable(((MissionItem.Land) item).place()).map(LandingPlace::point);
+            case TAKE_OFF, RETURN_TO_LAUNCH, WAIT, TAKE_PHOTO, SET_SERVO, LOOK_AT, LOOK_AHEAD, OTHER ->
+                Optional.empty();
+        };
     }
 
     /** About flying straight to a place. */

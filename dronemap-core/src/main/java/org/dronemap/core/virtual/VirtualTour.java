@@ -37,7 +37,8 @@ public record VirtualTour(@Nullable Double takeOffMeters, List<MissionItem.Waypo
             return Optional.of(
                     "A virtual drone's mission has 1 to " + MOST_WAYPOINTS + " waypoints, not " + waypoints + ".");
         }
-        if (items.get(items.size() - 1) instanceof MissionItem.Land land && land.place() != null) {
+        MissionItem end = items.get(items.size() - 1);
+        if (end.kind() == MissionItem.Kind.LAND && ((MissionItem.Land) end).place() != null) {
             return Optional.of("Item " + items.size()
                     + ": a virtual drone's mission lands at its last waypoint; leave the" + " landing's place out.");
         }

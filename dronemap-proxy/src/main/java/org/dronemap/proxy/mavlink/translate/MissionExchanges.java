@@ -53,8 +53,16 @@ final class MissionExchanges {
         Exchange written = new FallbackExchange(whole.get(), Outcome.Failed.class::isInstance, whole);
         return new FallbackExchange(
                 written,
-                outcome -> (outcome instanceof Outcome.Failed || outcome instanceof Outcome.Refused) && isBegun(),
+                outcome -> isNotTaken(outcome) && isBegun(),
                 () -> withdrawal.after(Objects.requireNonNull(written.outcome()), mission));
+    }
+
+    /** A vehicle that cannot be heard is not asked to clear anything. */
+    private static boolean isNotTaken(Outcome outcome) {
+        return switch (outcome.kind()) {
+            case REFUSED, FAILED -> true;
+            case SUCCEEDED, TIMED_OUT, SUPERSEDED, UNKNOWN -> false;
+        };
     }
 
     /** The vehicle has begun to take what was written last. */

@@ -41,18 +41,22 @@ final class MissionWithdrawal {
                         () -> isToGo(failed, mission, held) ? clear : new ImmediateExchange(Outcome.Succeeded::new),
                         any -> true),
                 ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> {
-                    boolean known = held.outcome() instanceof Outcome.Succeeded;
+                    boolean known = isDone(held);
                     return known && !isToGo(failed, mission, held)
                             ? left(failed, held)
-                            : cleared(failed, known && clear.outcome() instanceof Outcome.Succeeded);
+                            : cleared(failed, known && isDone(clear));
                 }))));
     }
 
     private boolean isToGo(Outcome failed, List<MissionItem> mission, MissionDownload held) {
-        if (!(held.outcome() instanceof Outcome.Succeeded) || held.count() <= itemsBefore || isAsBefore(held)) {
+        if (!isDone(held) || held.count() <= itemsBefore || isAsBefore(held)) {
             return false;
         }
-        return failed instanceof Outcome.Refused || isOurs(mission, held);
+        return failed.kind() == Outcome.Kind.REFUSED || isOurs(mission, held);
+    }
+
+    private static boolean isDone(Exchange exchange) {
+        return exchange.outcome() instanceof Outcome.Succeeded;
     }
 
     private boolean isAsBefore(MissionDownload held) {
@@ -74,7 +78,7 @@ final class MissionWithdrawal {
     }
 
     private Outcome left(Outcome failed, MissionDownload held) {
-        if (failed instanceof Outcome.Refused) {
+        if (failed.kind() == Outcome.Kind.REFUSED) {
             return failed;
         }
         return with(
@@ -95,7 +99,7 @@ final class MissionWithdrawal {
     private static Outcome with(Outcome failed, String more) {
         String sentence = failed.reason() + " " + more;
         OutcomeCode code = failed.code();
-        return failed instanceof Outcome.Refused && code != null
+        return failed.kind() == Outcome.Kind.REFUSED && code != null
                 ? new Outcome.Refused("vehicle", new Refusal(code, sentence))
                 : new Outcome.Failed(sentence);
     }
