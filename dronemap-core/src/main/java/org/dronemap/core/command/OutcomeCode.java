@@ -13,13 +13,13 @@ import org.dronemap.core.stored.StoredNames;
         names = "drone-not-of-key role-may-not-command key-may-not-command command-not-granted "
                 + "not-disarmed-for-planner drone-is-a-recording contact-lost capabilities-unknown "
                 + "capability-missing already-armed not-armed drone-airborne not-airborne mission-missing "
-                + "mode-unknown mode-does-not-arm position-missing fence-forbids mode-not-steerable heading-unknown home-unknown place-too-far speed-not-possible zone-forbids "
+                + "mode-unknown mode-not-steerable heading-unknown home-unknown place-too-far zone-forbids "
                 + "zone-not-checkable key-bounds-forbid key-bounds-not-checkable control-held control-ended command-under-way transfer-under-way link-missing "
                 + "server-overloaded not-sent not-written-down drone-removed server-fault autopilot-unknown not-settable command-refused "
                 + "vehicle-busy vehicle-denied vehicle-does-not-know vehicle-failed vehicle-cancelled "
                 + "positions-not-taken mission-item-not-known mission-too-long mission-value-not-taken "
                 + "mission-out-of-order vehicle-refused command-failed command-timed-out command-superseded "
-                + "outcome-unknown")
+                + "outcome-unknown speed-not-possible mode-does-not-arm position-missing fence-forbids")
 public enum OutcomeCode {
     DRONE_NOT_OF_KEY("The access key is for other drones.", "This access key is for other drones."),
     ROLE_MAY_NOT_COMMAND(
@@ -45,17 +45,6 @@ public enum OutcomeCode {
     MISSION_MISSING("There is no mission on board.", "Upload a mission first."),
     MODE_UNKNOWN(
             "The vehicle has no mode of this name.", "This vehicle has no mode SPIRAL; it knows STABILIZE, GUIDED."),
-    MODE_DOES_NOT_ARM(
-            "The vehicle is not armed in its mode.",
-            "Arm: RTL mode not armable. It is not armed in RTL; change its mode to GUIDED first."),
-    POSITION_MISSING(
-            "The vehicle does not know well enough where it is.",
-            "Mode change to LOITER failed: requires position. Without a position it can land, or keep its height in"
-                    + " ALT_HOLD while a pilot steers."),
-    FENCE_FORBIDS(
-            "The vehicle's own fence keeps it from going there.",
-            "The vehicle denied it and gave no reason. The place is 240 m from its home, and its own fence ends at"
-                    + " FENCE_RADIUS 150 m."),
     MODE_NOT_STEERABLE(
             "In its mode the drone does not go by what it is steered with.",
             "In AUTO it is not to be steered so; change its mode to GUIDED first."),
@@ -66,9 +55,6 @@ public enum OutcomeCode {
     PLACE_TOO_FAR(
             "The place is farther away than a drone is sent at one go.",
             "47.00000, 8.00000 is 300 km from where it is; it is sent at most 100 km far."),
-    SPEED_NOT_POSSIBLE(
-            "A vehicle of this kind does not go at this speed.",
-            "metersPerSecond must be 0.2 to 30 for a vehicle of this kind (multicopter), not 45."),
     ZONE_FORBIDS(
             "A zone forbids the way.",
             "The way from where the drone is to the place enters the no-fly zone “Airport” after 445 m."),
@@ -139,7 +125,21 @@ public enum OutcomeCode {
             "Control has changed hands. Nobody has control; take it."),
     OUTCOME_UNKNOWN(
             "It may or may not have acted, and nobody can tell any more.",
-            "The vehicle accepted it, but has not said what it does since.");
+            "The vehicle accepted it, but has not said what it does since."),
+    SPEED_NOT_POSSIBLE(
+            "A vehicle of this kind does not go at this speed.",
+            "metersPerSecond must be 0.2 to 30 for a vehicle of this kind (multicopter), not 45."),
+    MODE_DOES_NOT_ARM(
+            "The vehicle is not armed in its mode.",
+            "Arm: RTL mode not armable. It is not armed in RTL; change its mode to GUIDED first."),
+    POSITION_MISSING(
+            "The vehicle does not know well enough where it is.",
+            "Mode change to LOITER failed: requires position. Without a position it can land, or keep its height in"
+                    + " ALT_HOLD while a pilot steers."),
+    FENCE_FORBIDS(
+            "The vehicle's own fence keeps it from going there.",
+            "The vehicle denied it and gave no reason. The place is 240 m from its home, and its own fence ends at"
+                    + " FENCE_RADIUS 150 m.");
 
     private static final Set<OutcomeCode> AFTERWARDS = EnumSet.range(VEHICLE_BUSY, OUTCOME_UNKNOWN);
 
