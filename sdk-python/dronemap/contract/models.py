@@ -63,6 +63,26 @@ class AuditView(Model):
     sequence: int
 
 
+class ChangeSpeedCommand(Model):
+    """
+    Go on at another speed, until the mode changes.
+    """
+
+    epoch: int | None = None
+    """
+    The epoch of the control that you believe to have: refused when that has ended
+    """
+    id: str | None = None
+    """
+    Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once
+    """
+    meters_per_second: float
+    """
+    Over the ground, or through the air for a plane; 0.2 to 30 for copters and submarines, 3 to 100 for planes, 0.1 to 30 for what drives, 0.1 to 100 for others
+    """
+    type: Literal["changeSpeed"] = "changeSpeed"
+
+
 class ClearMissionCommand(Model):
     """
     Delete the mission on the vehicle.
@@ -127,6 +147,7 @@ class CommandView(Model):
             "goTo",
             "goToLocal",
             "turn",
+            "changeSpeed",
             "uploadMission",
             "startMission",
             "pauseMission",
@@ -2628,6 +2649,7 @@ class VirtualDroneNeedsView(Model):
                 "velocity",
                 "sticks",
                 "track",
+                "changeSpeed",
             ]
             | str
         ]
@@ -3470,6 +3492,7 @@ CommandRequest = TypeAliasType(
         | PauseMissionCommand
         | ClearMissionCommand
         | TurnCommand
+        | ChangeSpeedCommand
         | TakePictureCommand
         | SetRelayCommand
         | SetHomeCommand

@@ -2,6 +2,7 @@
 
 export const PURPOSES = {
   arm: 'fly',
+  changeSpeed: 'fly',
   clearMission: 'change',
   disarm: 'change',
   downloadLog: 'read',

@@ -22,6 +22,26 @@ export interface components {
              */
             type: "arm";
         };
+        /** @description Go on at another speed, until the mode changes. */
+        ChangeSpeedCommand: {
+            /**
+             * Format: int64
+             * @description The epoch of the control that you believe to have: refused when that has ended
+             */
+            epoch?: number | null;
+            /** @description Your own id (8 to 64 of A-Z a-z 0-9 _ -): the same id twice acts once */
+            id?: string | null;
+            /**
+             * Format: double
+             * @description Over the ground, or through the air for a plane; 0.2 to 30 for copters and submarines, 3 to 100 for planes, 0.1 to 30 for what drives, 0.1 to 100 for others
+             */
+            metersPerSecond: number;
+            /**
+             * @description discriminator enum property added by openapi-typescript
+             * @enum {string}
+             */
+            type: "changeSpeed";
+        };
         /** @description Delete the mission on the vehicle. */
         ClearMissionCommand: {
             /**
@@ -58,7 +78,7 @@ export interface components {
             total: number;
         };
         /** @description A command; which members there are depends on the type. */
-        CommandRequest: components["schemas"]["ArmCommand"] | components["schemas"]["DisarmCommand"] | components["schemas"]["SetModeCommand"] | components["schemas"]["TakeOffCommand"] | components["schemas"]["LandCommand"] | components["schemas"]["ReturnToLaunchCommand"] | components["schemas"]["HoldCommand"] | components["schemas"]["GoToCommand"] | components["schemas"]["UploadMissionCommand"] | components["schemas"]["StartMissionCommand"] | components["schemas"]["PauseMissionCommand"] | components["schemas"]["ClearMissionCommand"] | components["schemas"]["TurnCommand"] | components["schemas"]["TakePictureCommand"] | components["schemas"]["SetRelayCommand"] | components["schemas"]["SetHomeCommand"] | components["schemas"]["ReadHomeCommand"] | components["schemas"]["ReadParametersCommand"] | components["schemas"]["SetParametersCommand"] | components["schemas"]["ReadLogsCommand"] | components["schemas"]["GoToLocalCommand"] | components["schemas"]["EmergencyStopCommand"] | components["schemas"]["ReadMapCommand"];
+        CommandRequest: components["schemas"]["ArmCommand"] | components["schemas"]["DisarmCommand"] | components["schemas"]["SetModeCommand"] | components["schemas"]["TakeOffCommand"] | components["schemas"]["LandCommand"] | components["schemas"]["ReturnToLaunchCommand"] | components["schemas"]["HoldCommand"] | components["schemas"]["GoToCommand"] | components["schemas"]["UploadMissionCommand"] | components["schemas"]["StartMissionCommand"] | components["schemas"]["PauseMissionCommand"] | components["schemas"]["ClearMissionCommand"] | components["schemas"]["TurnCommand"] | components["schemas"]["ChangeSpeedCommand"] | components["schemas"]["TakePictureCommand"] | components["schemas"]["SetRelayCommand"] | components["schemas"]["SetHomeCommand"] | components["schemas"]["ReadHomeCommand"] | components["schemas"]["ReadParametersCommand"] | components["schemas"]["SetParametersCommand"] | components["schemas"]["ReadLogsCommand"] | components["schemas"]["GoToLocalCommand"] | components["schemas"]["EmergencyStopCommand"] | components["schemas"]["ReadMapCommand"];
         CommandView: {
             /** Format: date-time */
             at: string;
@@ -79,7 +99,7 @@ export interface components {
             progress: components["schemas"]["CommandProgressView"] | null;
             summary: string;
             /** @enum {string} */
-            type: "arm" | "disarm" | "setMode" | "takeOff" | "land" | "returnToLaunch" | "hold" | "emergencyStop" | "goTo" | "goToLocal" | "turn" | "uploadMission" | "startMission" | "pauseMission" | "clearMission" | "setHome" | "readHome" | "takePicture" | "setRelay" | "readParameters" | "setParameters" | "setReturnHeight" | "returnOnLoss" | "setCloudLoss" | "putBack" | "readLogs" | "downloadLog" | "readFence" | "setFence" | "readRallyPoints" | "setRallyPoints" | "readMap";
+            type: "arm" | "disarm" | "setMode" | "takeOff" | "land" | "returnToLaunch" | "hold" | "emergencyStop" | "goTo" | "goToLocal" | "turn" | "changeSpeed" | "uploadMission" | "startMission" | "pauseMission" | "clearMission" | "setHome" | "readHome" | "takePicture" | "setRelay" | "readParameters" | "setParameters" | "setReturnHeight" | "returnOnLoss" | "setCloudLoss" | "putBack" | "readLogs" | "downloadLog" | "readFence" | "setFence" | "readRallyPoints" | "setRallyPoints" | "readMap";
             /** @description What may be a slip of the hand, such as a far place; told once, to who gave the command */
             warnings: string[];
         };
@@ -1820,7 +1840,7 @@ export interface components {
             /** @description where it has to stand; null: anywhere */
             area?: components["schemas"]["VirtualDroneAreaView"] | null;
             /** @description names of actions */
-            capabilities?: ("arm" | "disarm" | "setMode" | "takeOff" | "land" | "returnToLaunch" | "hold" | "goTo" | "uploadMission" | "startMission" | "pauseMission" | "clearMission" | "turn" | "takePicture" | "setRelay" | "readParameters" | "setParameters" | "readLogs" | "fence" | "rallyPoints" | "setHome" | "readHome" | "goToLocal" | "emergencyStop" | "readMap" | "velocity" | "sticks" | "track")[] | null;
+            capabilities?: ("arm" | "disarm" | "setMode" | "takeOff" | "land" | "returnToLaunch" | "hold" | "goTo" | "uploadMission" | "startMission" | "pauseMission" | "clearMission" | "turn" | "takePicture" | "setRelay" | "readParameters" | "setParameters" | "readLogs" | "fence" | "rallyPoints" | "setHome" | "readHome" | "goToLocal" | "emergencyStop" | "readMap" | "velocity" | "sticks" | "track" | "changeSpeed")[] | null;
             /**
              * Format: int32
              * @description minutes in the air with what is in its battery; null: what the mission takes
@@ -3654,6 +3674,7 @@ export interface components {
     pathItems: never;
 }
 export type ArmCommand = components['schemas']['ArmCommand'];
+export type ChangeSpeedCommand = components['schemas']['ChangeSpeedCommand'];
 export type ClearMissionCommand = components['schemas']['ClearMissionCommand'];
 export type CommandOutcomeView = components['schemas']['CommandOutcomeView'];
 export type CommandParameterRequest = components['schemas']['CommandParameterRequest'];
