@@ -214,7 +214,11 @@ public final class VirtualRunMachine {
         Position position = drone.position();
         Double above = position == null ? null : position.altitudeAboveHomeMeters();
         boolean down = assignment.takeOffMeters() != null && above != null && above < ON_THE_GROUND_METERS;
-        Duration longest = LONGEST_STILL.plusSeconds(Math.round(next.holdSeconds()));
+        // It may have set off a moment ago from where it was to wait.
+        double waited = run.flown() == 0
+                ? 0
+                : run.tour().waypoints().get(run.flown() - 1).holdSeconds();
+        Duration longest = LONGEST_STILL.plusSeconds(Math.round(next.holdSeconds() + waited));
         return sight.still().compareTo(down ? LONGEST_STILL_ON_THE_GROUND : longest) > 0;
     }
 

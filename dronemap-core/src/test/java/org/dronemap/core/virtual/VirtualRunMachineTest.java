@@ -7,11 +7,15 @@ import java.time.Instant;
 import java.util.List;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.Mission;
+import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.virtual.VirtualFixtures.Drone;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
@@ -300,6 +304,24 @@ class VirtualRunMachineTest {
         drone.mode = "RTL";
         assertThat(step(new Outcome.Succeeded()).release()).isEqualTo(VirtualRunStep.Release.FREE);
         assertThat(run.stage()).isEqualTo(VirtualRunStage.QUEUED);
+    }
+
+    @Test
+    void aDroneThatHasJustWaitedAtAWaypointMovesOn() {
+        run = VirtualRun.asked(
+                        1,
+                        new Mission(List.of(
+                                new MissionItem.Waypoint(VirtualFixtures.FIRST, Altitude.aboveHome(20), 60),
+                                new MissionItem.Waypoint(VirtualFixtures.FIRST, Altitude.aboveHome(30), 0))),
+                        MissionCloudLossPolicy.CONTINUE,
+                        VirtualFixtures.NOW)
+                .bound(VirtualFixtures.choiceOf("d1"), 20.0, VirtualFixtures.NOW);
+        flyTo(2);
+        assertThat(run.flown()).isEqualTo(1);
+        still = Duration.ofSeconds(62);
+
+        assertThat(sent(null)).isNull();
+        assertThat(run.stage()).isEqualTo(VirtualRunStage.FLYING);
     }
 
     @Test

@@ -165,7 +165,8 @@ final class FlightHealth {
         if (sortie == null || place == null) {
             return;
         }
-        Duration longest = LONGEST_STILL.plusSeconds(Math.round(MissionLegs.hold(sortie, drone.passed())));
+        double waits = MissionLegs.hold(sortie, drone.passed()) + MissionLegs.held(sortie, drone.passed());
+        Duration longest = LONGEST_STILL.plusSeconds(Math.round(waits));
         // How long it stood before it was let go on does not count.
         Duration flying = Duration.between(drone.since(), draft.now());
         if (look.still().compareTo(longest) > 0 && flying.compareTo(longest) > 0) {
@@ -175,7 +176,7 @@ final class FlightHealth {
         }
         offPath(draft, drone, MissionLegs.offMeters(sortie, drone.passed(), place));
         if (!drone.orders().isEmpty()) {
-            late(draft, draft.drone(drone.id()), sortie);
+            late(draft, draft.drone(drone.id()), sortie, waits);
             charge(draft, draft.drone(drone.id()), look);
         }
     }
@@ -193,15 +194,19 @@ final class FlightHealth {
         }
     }
 
-    private static void late(RunTransition draft, RunDrone drone, Sortie sortie) {
-        sortie.due(drone.orders().get(0))
-                .filter(due -> Duration.between(due, draft.now()).compareTo(LATE) > 0)
-                .ifPresent(due -> causeOnce(
+    /** {@code waits}: how long it stays where it is, in s; it counts as being there only after that. */
+    private static void late(RunTransition draft, RunDrone drone, Sortie sortie, double waits) {
+        String waypoint = drone.orders().get(0);
+        Duration longest = LATE.plusSeconds(Math.round(waits));
+        sortie.due(waypoint)
+                .map(due -> Duration.between(due, draft.now()))
+                .filter(late -> late.compareTo(longest) > 0)
+                .ifPresent(late -> causeOnce(
                         draft,
                         drone,
                         RunTrigger.LATE,
-                        drone.name() + " is late: it was to be at the waypoint "
-                                + drone.orders().get(0) + " " + LATE.toSeconds() + " s ago."));
+                        drone.name() + " is late: it was to be at the waypoint " + waypoint + " " + late.toSeconds()
+                                + " s ago."));
     }
 
     /** It may wait long for others to pass: what its charge does not last for is not left to wait for that. */

@@ -55,6 +55,19 @@ final class MissionLegs {
         return seconds;
     }
 
+    /** How long it was to wait at the place that is just behind it, in s: it may have set off a moment ago. */
+    static double held(Sortie sortie, int passed) {
+        List<MissionItem> items = sortie.mission().items();
+        double seconds = 0;
+        for (int item = Math.min(passed, items.size()) - 1; item >= 0; item--) {
+            seconds += hold(items.get(item));
+            if (isFlown(items.get(item))) {
+                break;
+            }
+        }
+        return seconds;
+    }
+
     private static double hold(MissionItem item) {
         return switch (item.kind()) {
             case WAYPOINT -> ((MissionItem.Waypoint) item).holdSeconds();

@@ -212,6 +212,7 @@ final class TestVehicle {
             held = there ? held + seconds : 0;
             if (there && held >= waypoint.holdSeconds()) {
                 visits.add(waypoint);
+                hesitating = waypoint.holdSeconds() > 0 ? hesitates : 0;
                 passed(true);
             }
         } else if (item instanceof MissionItem.Wait wait) {

@@ -3,9 +3,16 @@ package org.dronemap.cognitive.operation.run;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Set;
+import org.dronemap.cognitive.PlanningFixtures;
 import org.dronemap.cognitive.operation.run.model.RunDroneStage;
 import org.dronemap.cognitive.operation.run.model.RunInput;
+import org.dronemap.cognitive.operation.run.model.RunOrder;
 import org.dronemap.cognitive.operation.run.model.RunWaypoint;
+import org.dronemap.cognitive.problem.PlanningProblem;
+import org.dronemap.cognitive.problem.Task;
+import org.dronemap.cognitive.problem.TimeWindow;
+import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.drone.DroneId;
@@ -83,6 +90,25 @@ class TrueMessagesTest {
         fleet.wish(new RunInput.Stop(fleet.now, "Ann"));
 
         assertThat(fleet.said.get(fleet.said.size() - 1)).contains("No drone is under way");
+    }
+
+    /** Its place in the mission is told before it has gathered speed. */
+    @Test
+    void oneThatWaitedLongAtAWaypointIsNotSaidNotToMoveOn() {
+        Task stay = new Task(50, Set.of());
+        List<Waypoint> waypoints = List.of(
+                new Waypoint("w0", PlanningFixtures.place(60, 60, 430), stay, 1, TimeWindow.ALWAYS),
+                Waypoint.at("w1", PlanningFixtures.place(60, 200, 430)));
+        RunTestBench fleet = RunFixtures.fleet(
+                PlanningProblem.of(waypoints, List.of(PlanningFixtures.craft(0, 0, 0))),
+                1,
+                RunOrder.ApprovalMode.AUTOMATIC,
+                MissionCloudLossPolicy.RETURN_TO_LAUNCH);
+        fleet.vehicle(0).hesitates = 2;
+        fleet.flyToTheEnd();
+
+        assertThat(fleet.said).noneMatch(words -> words.contains("does not move on") || words.contains("is late"));
+        assertThat(fleet.state.count(RunWaypoint.State.VISITED)).isEqualTo(2);
     }
 
     @Test
