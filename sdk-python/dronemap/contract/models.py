@@ -557,7 +557,7 @@ class FencePolygonView(Model):
 
     corners: list[FencePointView]
     """
-    3 to 100
+    3 to 1000
     """
     inside: bool
     """
@@ -568,6 +568,13 @@ class FencePolygonView(Model):
 
 class FenceRallyPointView(Model):
     altitude: float | None = None
+    """
+    Metres from what altitudeReference says, -500 to 10000
+    """
+    altitude_reference: Literal["home", "amsl", "terrain"] | str | None = None
+    """
+    What the altitude is measured from: home (the default), amsl, or terrain: the ground below, as the vehicle's own map has it
+    """
     latitude: float | None = None
     """
     -90 to 90
@@ -579,7 +586,30 @@ class FenceRallyPointView(Model):
 
 
 class FenceRallyView(Model):
+    left_out: list[str] | None = None
+    """
+    What the vehicle has beside them and cannot be told, each as a sentence; points that were read with such cannot be written back
+    """
     points: list[FenceRallyPointView] | None = None
+
+
+class FenceReturnPointView(Model):
+    altitude: float | None = None
+    """
+    Metres from what altitudeReference says; null: the vehicle keeps none (ArduPilot)
+    """
+    altitude_reference: Literal["home", "amsl", "terrain"] | str | None = None
+    """
+    What the altitude is measured from: home (the default), amsl or terrain
+    """
+    latitude: float | None = None
+    """
+    -90 to 90
+    """
+    longitude: float | None = None
+    """
+    -180 to 180
+    """
 
 
 class FieldSeries(Model):
@@ -1383,12 +1413,9 @@ class ParametersDifferenceView(Model):
     wanted: float
 
 
-class ParametersFileView(Model):
-    command: CommandView | None = None
-    different: list[ParametersDifferenceView]
-    same: int
-    unfit: list[ParametersDifferenceView]
-    unknown: list[str]
+class ParametersLeftOutView(Model):
+    line: int
+    why: str
 
 
 class ParametersView(Model):
@@ -1771,7 +1798,7 @@ class Points(Model):
 
 class PolygonGeometry(Model):
     """
-    An area of 3 to 100 corners.
+    An area of 3 to 1000 corners.
     """
 
     coordinates: list[list[list[float]]]
@@ -2798,6 +2825,13 @@ A geometry of GeoJSON.
 """
 
 
+class ZoneLeftOutView(Model):
+    at: str
+    code: str
+    name: str | None = None
+    why: str
+
+
 class ZoneProperties(Model):
     altitude_reference: Literal["home", "amsl"] | str | None = None
     """
@@ -2893,6 +2927,9 @@ class DroneCloudLossView(Model):
     What its owner had set, and is put back once nobody uses it
     """
     return_height: float | None = None
+    """
+    Metres above home
+    """
     sentence: str
     state: Literal["set", "notSet", "cannotBeSet"] | str
 
@@ -2927,7 +2964,7 @@ class FenceCircleView(Model):
     """
     radius: float
     """
-    Metres, 1 to 100000
+    Metres, 0.01 to 100000
     """
     type: Literal["circle"] = "circle"
 
@@ -3120,6 +3157,18 @@ One step of a mission; which members there are depends on the type.
 class MissionRequest(Model):
     items: list[MissionItemRequest] | None = None
     name: str | None = None
+
+
+class ParametersFileView(Model):
+    command: CommandView | None = None
+    different: list[ParametersDifferenceView]
+    left_out: list[ParametersLeftOutView]
+    """
+    Lines of the file that are not taken as they stand, such as those for a gimbal
+    """
+    same: int
+    unfit: list[ParametersDifferenceView]
+    unknown: list[str]
 
 
 PlanObjectiveRequest = TypeAliasType(
@@ -3472,6 +3521,20 @@ class ZoneFeature(Model):
     type: Literal["Feature"] | None = None
 
 
+class ZoneImportView(Model):
+    """
+    The zones that were added, and what of the file was left out.
+    """
+
+    features: list[ZoneFeature]
+    left_out: list[ZoneLeftOutView]
+    """
+    What became no zone, or not with all that it has; the first 500
+    """
+    left_out_total: int
+    type: Literal["FeatureCollection"] = "FeatureCollection"
+
+
 class AccessKeys(Model):
     access_keys: list[KeyView]
 
@@ -3577,6 +3640,14 @@ class Drones(Model):
 
 
 class FenceView(Model):
+    left_out: list[str] | None = None
+    """
+    What the vehicle has beside it and cannot be told, each as a sentence; a fence that was read with such cannot be written back
+    """
+    return_point: FenceReturnPointView | None = None
+    """
+    Where the fence sends the vehicle after a breach; null: nowhere of its own
+    """
     zones: list[FenceZoneView] | None = None
 
 

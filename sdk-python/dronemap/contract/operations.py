@@ -655,13 +655,19 @@ class Operations:
         return await self._sender.send(call, models.ParametersFileView)
 
     async def import_zones(
-        self, body: bytes, *, content_type: Literal["application/geo+json", "application/vnd.google-earth.kml+xml"]
-    ) -> models.ZoneCollection:
-        """Add the zones of a GeoJSON or KML file (supervisor). All of them, or none. Members of other programs are
-        passed over, a MultiPolygon becomes several zones, what has no name gets one.
+        self,
+        body: bytes,
+        *,
+        content_type: Literal[
+            "application/geo+json", "application/vnd.google-earth.kml+xml", "application/vnd.google-earth.kmz"
+        ],
+    ) -> models.ZoneImportView:
+        """Add the zones of a GeoJSON, KML or KMZ file (supervisor). Up to 4 MB. What cannot be a zone, such as a
+        line, is left out and named with the reason, and the rest is added; a file without any is refused. Members
+        of other programs are passed over, a MultiPolygon becomes several zones, what has no name gets one.
         """
         call = Call("importZones", "POST", "/zones/import", body=body, content_type=content_type)
-        return await self._sender.send(call, models.ZoneCollection)
+        return await self._sender.send(call, models.ZoneImportView)
 
     async def install_link_key(
         self, id: str, body: models.LinkSecurityChangeRequest | None = None
@@ -1246,7 +1252,9 @@ class Operations:
         return await self._sender.send(call, models.AuditPage)
 
     async def set_fence(self, id: str, body: models.FenceView) -> models.CommandView:
-        """Replace the fence (operator). Up to 50 polygons and circles."""
+        """Replace the fence (operator). Up to 500 polygons and circles with together 2000 corners, and a return
+        point; how many of them a vehicle takes is its own. What was read with something left out is refused.
+        """
         call = Call("setFence", "PUT", placed("/drones/{id}/fence", id=id), body=body)
         return await self._sender.send(call, models.CommandView)
 
@@ -1291,7 +1299,9 @@ class Operations:
         return await self._sender.send(call, models.CommandView)
 
     async def set_rally_points(self, id: str, body: models.FenceRallyView) -> models.CommandView:
-        """Replace the rally points (operator). Up to 50."""
+        """Replace the rally points (operator). Up to 250, each with what its altitude is measured from. What was
+        read with something left out is refused.
+        """
         call = Call("setRallyPoints", "PUT", placed("/drones/{id}/rally-points", id=id), body=body)
         return await self._sender.send(call, models.CommandView)
 

@@ -537,10 +537,16 @@ class SyncOperations:
         return self._loop.run(self._awaited.import_parameters(id, body, dry_run=dry_run))
 
     def import_zones(
-        self, body: bytes, *, content_type: Literal["application/geo+json", "application/vnd.google-earth.kml+xml"]
-    ) -> models.ZoneCollection:
-        """Add the zones of a GeoJSON or KML file (supervisor). All of them, or none. Members of other programs are
-        passed over, a MultiPolygon becomes several zones, what has no name gets one.
+        self,
+        body: bytes,
+        *,
+        content_type: Literal[
+            "application/geo+json", "application/vnd.google-earth.kml+xml", "application/vnd.google-earth.kmz"
+        ],
+    ) -> models.ZoneImportView:
+        """Add the zones of a GeoJSON, KML or KMZ file (supervisor). Up to 4 MB. What cannot be a zone, such as a
+        line, is left out and named with the reason, and the rest is added; a file without any is refused. Members
+        of other programs are passed over, a MultiPolygon becomes several zones, what has no name gets one.
         """
         return self._loop.run(self._awaited.import_zones(body, content_type=content_type))
 
@@ -1022,7 +1028,9 @@ class SyncOperations:
         )
 
     def set_fence(self, id: str, body: models.FenceView) -> models.CommandView:
-        """Replace the fence (operator). Up to 50 polygons and circles."""
+        """Replace the fence (operator). Up to 500 polygons and circles with together 2000 corners, and a return
+        point; how many of them a vehicle takes is its own. What was read with something left out is refused.
+        """
         return self._loop.run(self._awaited.set_fence(id, body))
 
     def set_fence_from_zones(self, id: str) -> models.CommandView:
@@ -1055,7 +1063,9 @@ class SyncOperations:
         return self._loop.run(self._awaited.set_parameter(id, name, body, wait=wait))
 
     def set_rally_points(self, id: str, body: models.FenceRallyView) -> models.CommandView:
-        """Replace the rally points (operator). Up to 50."""
+        """Replace the rally points (operator). Up to 250, each with what its altitude is measured from. What was
+        read with something left out is refused.
+        """
         return self._loop.run(self._awaited.set_rally_points(id, body))
 
     def set_user_only_granted(self, name: str, body: models.OnlyGrantedRequest) -> None:

@@ -132,6 +132,7 @@ import type {
   WarehouseView,
   ZoneCollection,
   ZoneFeature,
+  ZoneImportView,
 } from './schemas.js';
 
 /** Each operation of REST, by its id. A refusal rejects with a `Problem`. */
@@ -318,8 +319,8 @@ export interface RestOperations {
   handOverControl(parameters: { id: string }, body: ControlHandOverRequest, options?: CallOptions): Promise<ControlView>;
   /** Compare with a file, or load it (operator): POST /api/v1/drones/{id}/parameters/file */
   importParameters(parameters: { id: string; dryRun?: boolean | undefined }, body: FileBody, options?: CallOptions): Promise<ParametersFileView>;
-  /** Add the zones of a GeoJSON or KML file (supervisor): POST /api/v1/zones/import */
-  importZones(body: FileBody, options?: CallOptions): Promise<ZoneCollection>;
+  /** Add the zones of a GeoJSON, KML or KMZ file (supervisor): POST /api/v1/zones/import */
+  importZones(body: FileBody, options?: CallOptions): Promise<ZoneImportView>;
   /** Give the vehicle its key and hear that it signs (administrator): POST /api/v1/drones/{id}/link-key/install */
   installLinkKey(parameters: { id: string }, body?: LinkSecurityChangeRequest, options?: CallOptions): Promise<LinkSecurityView>;
   /** Issue the key of a robot (administrator): POST /api/v1/robot-keys */
@@ -631,7 +632,7 @@ export const OPERATIONS = {
   grantControl: { method: 'POST', path: '/api/v1/drones/{id}/control/grant', body: ['application/json'], answer: 'json' },
   handOverControl: { method: 'POST', path: '/api/v1/drones/{id}/control/hand-over', body: ['application/json'], answer: 'json' },
   importParameters: { method: 'POST', path: '/api/v1/drones/{id}/parameters/file', query: ['dryRun'], body: ['text/plain'], answer: 'json' },
-  importZones: { method: 'POST', path: '/api/v1/zones/import', body: ['application/geo+json', 'application/vnd.google-earth.kml+xml'], answer: 'json' },
+  importZones: { method: 'POST', path: '/api/v1/zones/import', body: ['application/geo+json', 'application/vnd.google-earth.kml+xml', 'application/vnd.google-earth.kmz'], answer: 'json' },
   installLinkKey: { method: 'POST', path: '/api/v1/drones/{id}/link-key/install', body: ['application/json'], answer: 'json' },
   issueRobotKey: { method: 'POST', path: '/api/v1/robot-keys', body: ['application/json'], answer: 'json' },
   joinRun: { method: 'POST', path: '/api/v1/runs/{id}/drones', body: ['application/json'], answer: 'json' },

@@ -188,7 +188,10 @@ export interface components {
             afterSeconds: number | null;
             /** @description What its owner had set, and is put back once nobody uses it */
             outstanding: components["schemas"]["DroneOutstandingView"][];
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Metres above home
+             */
             returnHeight: number | null;
             sentence: string;
             /** @enum {string} */
@@ -932,7 +935,7 @@ export interface components {
              */
             type: "Point";
         };
-        /** @description An area of 3 to 100 corners. */
+        /** @description An area of 3 to 1000 corners. */
         PolygonGeometry: {
             /** @description One ring of positions, the last as the first; each longitude and latitude in degrees */
             coordinates: number[][][];
@@ -2267,7 +2270,7 @@ export interface components {
             inside: boolean;
             /**
              * Format: double
-             * @description Metres, 1 to 100000
+             * @description Metres, 0.01 to 100000
              */
             radius: number;
             /**
@@ -2284,7 +2287,7 @@ export interface components {
         };
         /** @description An area within corners. */
         FencePolygonView: {
-            /** @description 3 to 100 */
+            /** @description 3 to 1000 */
             corners: components["schemas"]["FencePointView"][];
             /** @description Whether it stays in it, or out of it */
             inside: boolean;
@@ -2295,17 +2298,47 @@ export interface components {
             type: "polygon";
         };
         FenceRallyPointView: {
-            /** Format: double */
+            /**
+             * Format: double
+             * @description Metres from what altitudeReference says
+             */
             altitude?: number | null;
+            /**
+             * @description What the altitude is measured from: home (the default), amsl, or terrain: the ground below, as the vehicle's own map has it
+             * @enum {string|null}
+             */
+            altitudeReference?: "home" | "amsl" | "terrain" | null;
             /** Format: double */
             latitude?: number | null;
             /** Format: double */
             longitude?: number | null;
         };
         FenceRallyView: {
+            /** @description What the vehicle has beside them and cannot be told, each as a sentence; points that were read with such cannot be written back */
+            leftOut?: string[] | null;
             points?: components["schemas"]["FenceRallyPointView"][] | null;
         };
+        FenceReturnPointView: {
+            /**
+             * Format: double
+             * @description Metres from what altitudeReference says; null: the vehicle keeps none (ArduPilot)
+             */
+            altitude?: number | null;
+            /**
+             * @description What the altitude is measured from: home (the default), amsl or terrain
+             * @enum {string|null}
+             */
+            altitudeReference?: "home" | "amsl" | "terrain" | null;
+            /** Format: double */
+            latitude?: number | null;
+            /** Format: double */
+            longitude?: number | null;
+        };
         FenceView: {
+            /** @description What the vehicle has beside it and cannot be told, each as a sentence; a fence that was read with such cannot be written back */
+            leftOut?: string[] | null;
+            /** @description Where the fence sends the vehicle after a breach; null: nowhere of its own */
+            returnPoint?: components["schemas"]["FenceReturnPointView"] | null;
             zones?: components["schemas"]["FenceZoneView"][] | null;
         };
         /** @description An area that the vehicle stays in or out of; which members there are depends on the type. */
@@ -2929,10 +2962,17 @@ export interface components {
         ParametersFileView: {
             command: components["schemas"]["CommandView"] | null;
             different: components["schemas"]["ParametersDifferenceView"][];
+            /** @description Lines of the file that are not taken as they stand, such as those for a gimbal */
+            leftOut: components["schemas"]["ParametersLeftOutView"][];
             /** Format: int32 */
             same: number;
             unfit: components["schemas"]["ParametersDifferenceView"][];
             unknown: string[];
+        };
+        ParametersLeftOutView: {
+            /** Format: int32 */
+            line: number;
+            why: string;
         };
         ParametersView: {
             parameters: components["schemas"]["ParameterView"][];
@@ -3666,6 +3706,22 @@ export interface components {
             /** @enum {string|null} */
             type: "FeatureCollection" | null;
         };
+        /** @description The zones that were added, and what of the file was left out. */
+        ZoneImportView: {
+            features: components["schemas"]["ZoneFeature"][];
+            /** @description What became no zone, or not with all that it has; the first 500 */
+            leftOut: components["schemas"]["ZoneLeftOutView"][];
+            /** Format: int32 */
+            leftOutTotal: number;
+            /** @enum {string} */
+            type: "FeatureCollection";
+        };
+        ZoneLeftOutView: {
+            at: string;
+            code: string;
+            name: string | null;
+            why: string;
+        };
     };
     responses: never;
     parameters: never;
@@ -3855,6 +3911,7 @@ export type FencePointView = components['schemas']['FencePointView'];
 export type FencePolygonView = components['schemas']['FencePolygonView'];
 export type FenceRallyPointView = components['schemas']['FenceRallyPointView'];
 export type FenceRallyView = components['schemas']['FenceRallyView'];
+export type FenceReturnPointView = components['schemas']['FenceReturnPointView'];
 export type FenceView = components['schemas']['FenceView'];
 export type FenceZoneView = components['schemas']['FenceZoneView'];
 export type FieldSeries = components['schemas']['FieldSeries'];
@@ -3925,6 +3982,7 @@ export type ParameterValueRequest = components['schemas']['ParameterValueRequest
 export type ParameterView = components['schemas']['ParameterView'];
 export type ParametersDifferenceView = components['schemas']['ParametersDifferenceView'];
 export type ParametersFileView = components['schemas']['ParametersFileView'];
+export type ParametersLeftOutView = components['schemas']['ParametersLeftOutView'];
 export type ParametersView = components['schemas']['ParametersView'];
 export type PassphraseRequest = components['schemas']['PassphraseRequest'];
 export type PassphraseView = components['schemas']['PassphraseView'];
@@ -3996,5 +4054,7 @@ export type WarehouseProspectView = components['schemas']['WarehouseProspectView
 export type WarehouseProspectsView = components['schemas']['WarehouseProspectsView'];
 export type WarehouseView = components['schemas']['WarehouseView'];
 export type ZoneCollection = components['schemas']['ZoneCollection'];
+export type ZoneImportView = components['schemas']['ZoneImportView'];
+export type ZoneLeftOutView = components['schemas']['ZoneLeftOutView'];
 export type $defs = Record<string, never>;
 export type operations = Record<string, never>;

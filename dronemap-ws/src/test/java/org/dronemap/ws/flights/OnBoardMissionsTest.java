@@ -205,6 +205,15 @@ class OnBoardMissionsTest {
         assertThat(drone.state().messages()).anyMatch(message -> message.text().contains("differs"));
     }
 
+    private static FenceView.RallyView rallyOfEachReference() {
+        return new FenceView.RallyView(
+                List.of(
+                        new FenceView.RallyPointView(47.395, 8.545, 25.0, "home"),
+                        new FenceView.RallyPointView(47.396, 8.545, 430.0, "amsl"),
+                        new FenceView.RallyPointView(47.397, 8.545, 60.0, "terrain")),
+                List.of());
+    }
+
     @ParameterizedTest
     @MethodSource(AUTOPILOTS)
     void fenceAndRallyPointsGoRound(VehicleSpec kit) {
@@ -225,12 +234,7 @@ class OnBoardMissionsTest {
                         new FenceView.CircleView(false, corner, 0.5)),
                 backTo,
                 List.of());
-        FenceView.RallyView rally = new FenceView.RallyView(
-                List.of(
-                        new FenceView.RallyPointView(47.395, 8.545, 25.0, "home"),
-                        new FenceView.RallyPointView(47.396, 8.545, 430.0, "amsl"),
-                        new FenceView.RallyPointView(47.397, 8.545, 60.0, "terrain")),
-                List.of());
+        FenceView.RallyView rally = rallyOfEachReference();
         assertThat(fences.fence(ann.principal(), id).zones()).isNull();
 
         ann.succeeds(fences.setFence(ann.caller(), id, fence));

@@ -89,7 +89,7 @@ class ZoneImportTest {
                 Arguments.of(
                         "{\"type\":\"Feature\",\"properties\":{\"name\":\"odd\",\"floor\":\"GND\"},\"geometry\":" + AREA
                                 + "}",
-                        "properties.floor"),
+                        "\"floor\" must be a number"),
                 Arguments.of("{\"type\":\"Feature\",\"properties\":[1],\"geometry\":" + AREA + "}", "properties"));
     }
 
