@@ -10,16 +10,17 @@ import org.dronemap.core.stored.StoredNames;
  * stored as is what programs read.
  */
 @Stored(
-        names = "drone-not-of-key role-may-not-command key-may-not-command command-not-granted "
-                + "not-disarmed-for-planner drone-is-a-recording contact-lost capabilities-unknown "
-                + "capability-missing already-armed not-armed drone-airborne not-airborne mission-missing "
-                + "mode-unknown mode-not-steerable heading-unknown home-unknown place-too-far zone-forbids "
-                + "zone-not-checkable key-bounds-forbid key-bounds-not-checkable control-held control-ended command-under-way transfer-under-way link-missing "
-                + "server-overloaded not-sent not-written-down drone-removed server-fault autopilot-unknown not-settable command-refused "
-                + "vehicle-busy vehicle-denied vehicle-does-not-know vehicle-failed vehicle-cancelled "
-                + "positions-not-taken mission-item-not-known mission-too-long mission-value-not-taken "
-                + "mission-out-of-order vehicle-refused command-failed command-timed-out command-superseded "
-                + "outcome-unknown speed-not-possible mode-does-not-arm position-missing fence-forbids mission-not-for-vehicle")
+        names =
+                "drone-not-of-key role-may-not-command key-may-not-command command-not-granted "
+                        + "not-disarmed-for-planner drone-is-a-recording contact-lost capabilities-unknown "
+                        + "capability-missing already-armed not-armed drone-airborne not-airborne mission-missing "
+                        + "mode-unknown mode-not-steerable heading-unknown home-unknown place-too-far zone-forbids "
+                        + "zone-not-checkable key-bounds-forbid key-bounds-not-checkable control-held control-ended command-under-way transfer-under-way link-missing "
+                        + "server-overloaded not-sent not-written-down drone-removed server-fault autopilot-unknown not-settable command-refused "
+                        + "vehicle-busy vehicle-denied vehicle-does-not-know vehicle-failed vehicle-cancelled "
+                        + "positions-not-taken mission-item-not-known mission-too-long mission-value-not-taken "
+                        + "mission-out-of-order vehicle-refused command-failed command-timed-out command-superseded "
+                        + "outcome-unknown speed-not-possible mode-does-not-arm position-missing fence-forbids mission-not-for-vehicle")
 public enum OutcomeCode {
     DRONE_NOT_OF_KEY("The access key is for other drones.", "This access key is for other drones."),
     ROLE_MAY_NOT_COMMAND(

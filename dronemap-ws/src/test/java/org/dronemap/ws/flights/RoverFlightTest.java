@@ -51,9 +51,8 @@ class RoverFlightTest {
             Pilot ann = lab.pilot("ann", Role.OPERATOR);
             List<Geodetic> corners = List.of(rover.place(30, 0), rover.place(30, 30));
             List<MissionItem> items = Stream.concat(
-                            corners.stream()
-                                    .map(corner -> (MissionItem)
-                                            new MissionItem.Waypoint(corner, Altitude.aboveHome(5), 0)),
+                            corners.stream().map(corner ->
+                                    (MissionItem) new MissionItem.Waypoint(corner, Altitude.aboveHome(5), 0)),
                             Stream.of(new MissionItem.ReturnToLaunch()))
                     .toList();
             ann.does(rover, CommandRequests.uploadMission(MissionItemRequest.of(items)))

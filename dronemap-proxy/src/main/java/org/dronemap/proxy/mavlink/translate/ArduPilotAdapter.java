@@ -20,23 +20,18 @@ import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.drone.VehicleKind;
-import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.mavlink.Message;
-import org.dronemap.mavlink.message.CommandInt;
 import org.dronemap.mavlink.message.EkfStatusReport;
 import org.dronemap.mavlink.message.ExtendedSysState;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.mavlink.message.Wind;
-import org.dronemap.proxy.mavlink.procedure.CommandExchange;
 import org.dronemap.proxy.mavlink.procedure.Exchange;
 import org.dronemap.proxy.mavlink.procedure.ExchangeObserver;
 import org.dronemap.proxy.mavlink.procedure.ExchangeSequence;
 import org.dronemap.proxy.mavlink.procedure.FallbackExchange;
-import org.dronemap.proxy.mavlink.procedure.MavCommandRequest;
 import org.dronemap.proxy.mavlink.procedure.MavlinkTarget;
-import org.dronemap.proxy.mavlink.procedure.PositionTargetExchange;
 import org.jspecify.annotations.Nullable;
 
 /** The adapter for ArduPilot vehicles: translates commands into exchanges that suit ArduPilot's modes and missions. */
@@ -44,11 +39,6 @@ final class ArduPilotAdapter implements AutopilotAdapter {
     private static final String AUTO = "AUTO";
     private static final String GUIDED = "GUIDED";
     private static final String RTL = "RTL";
-    private static final int NAV_TAKEOFF = 22;
-    private static final int CONDITION_YAW = 115;
-    private static final float RELATIVE = 1f;
-    private static final int FRAME_RELATIVE = 6;
-    private static final int FRAME_GLOBAL = 5;
     private static final int VTOL_STATE_UNDEFINED = 0;
     private static final int STANDBY = 3;
     private static final int ACTIVE = 4;
@@ -216,13 +206,13 @@ final class ArduPilotAdapter implements AutopilotAdapter {
     public Exchange exchangeFor(Command command, CommandContext cockpit) {
         return switch (command.kind()) {
             case SET_MODE -> mode(cockpit, ((Command.SetMode) command).mode(), cockpit.observer());
-            case TAKE_OFF -> takeOff(cockpit, (Command.TakeOff) command);
+            case TAKE_OFF -> GuidedExchanges.takeOff(cockpit, guided(cockpit), (Command.TakeOff) command);
             case LAND -> mode(cockpit, kind == VehicleKind.VTOL ? "QLAND" : "LAND", cockpit.observer());
             case RETURN_TO_LAUNCH -> returnToLaunch(cockpit);
             case HOLD, PAUSE_MISSION -> hold(cockpit, cockpit.observer());
-            case GO_TO -> goTo(cockpit, (Command.GoTo) command);
+            case GO_TO -> GuidedExchanges.goTo(cockpit, guided(cockpit), (Command.GoTo) command, kind);
             case CHANGE_SPEED -> changeSpeed(cockpit, (ChangeSpeed) command);
-            case TURN -> turn(cockpit, ((Command.Turn) command).degrees());
+            case TURN -> GuidedExchanges.turn(cockpit, guided(cockpit), ((Command.Turn) command).degrees());
             case UPLOAD_MISSION ->
                 upload(cockpit, ((Command.UploadMission) command).mission().items());
             case START_MISSION ->
@@ -316,61 +306,6 @@ final class ArduPilotAdapter implements AutopilotAdapter {
     private ExchangeSequence.Step guided(CommandContext cockpit) {
         return ExchangeSequence.Step.when(
                 () -> !cockpit.status().inMode(GUIDED), () -> mode(cockpit, GUIDED, ExchangeObserver.NONE));
-    }
-
-    private Exchange takeOff(CommandContext cockpit, Command.TakeOff command) {
-        float[] parameters = {0f, 0f, 0f, 0f, 0f, 0f, (float) command.altitudeMeters()};
-        return new ExchangeSequence(List.of(
-                guided(cockpit),
-                ExchangeSequence.Step.of(() -> new CommandExchange(
-                        cockpit.target(),
-                        MavCommandRequest.ofLong(
-                                cockpit.target(),
-                                NAV_TAKEOFF,
-                                parameters,
-                                MavCommandRequest.Retry.VERIFY_FIRST,
-                                BasicExchanges.climbing(cockpit.status())),
-                        cockpit.observer()))));
-    }
-
-    private Exchange turn(CommandContext cockpit, double degrees) {
-        float direction = degrees < 0 ? -1f : 1f;
-        return new ExchangeSequence(List.of(
-                guided(cockpit),
-                ExchangeSequence.Step.of(() -> BasicExchanges.once(
-                        cockpit, CONDITION_YAW, (float) Math.abs(degrees), 0f, direction, RELATIVE))));
-    }
-
-    private Exchange goTo(CommandContext cockpit, Command.GoTo command) {
-        boolean relative = command.altitude().reference() == Altitude.Reference.HOME;
-        CommandInt message = new CommandInt(
-                cockpit.target().systemId(),
-                cockpit.target().componentId(),
-                relative ? FRAME_RELATIVE : FRAME_GLOBAL,
-                BasicExchanges.DO_REPOSITION,
-                0,
-                0,
-                -1f,
-                1f,
-                0f,
-                Float.NaN,
-                MissionCodec.e7(command.point().latitudeDegrees()),
-                MissionCodec.e7(command.point().longitudeDegrees()),
-                (float) command.altitude().meters());
-        CommandExchange reposition = new CommandExchange(
-                cockpit.target(),
-                MavCommandRequest.ofInt(message, MavCommandRequest.Retry.REPEATABLE),
-                cockpit.observer());
-        return new ExchangeSequence(List.of(
-                guided(cockpit),
-                ExchangeSequence.Step.of(() -> new FencedGoTo(
-                        cockpit,
-                        command,
-                        new FallbackExchange(
-                                reposition,
-                                refused -> reposition.isUnknownToVehicle(),
-                                () -> new PositionTargetExchange(cockpit.target(), message)))),
-                SpeedExchanges.again(cockpit, kind)));
     }
 
     /** ArduPilot overwrites item by item: one that flies its mission holds first. */
