@@ -198,10 +198,7 @@ final class ArduPilotAdapter implements AutopilotAdapter {
             case RETURN_TO_LAUNCH -> returnToLaunch(cockpit);
             case HOLD, PAUSE_MISSION -> hold(cockpit, cockpit.observer());
             case GO_TO -> goTo(cockpit, (Command.GoTo) command);
-            case CHANGE_SPEED ->
-                table == ArduPilotModeTable.PLANE
-                        ? SpeedExchanges.changePlane(cockpit, (ChangeSpeed) command, kind)
-                        : SpeedExchanges.change(cockpit, (ChangeSpeed) command, kind);
+            case CHANGE_SPEED -> SpeedExchanges.ofArduPilot(cockpit, (ChangeSpeed) command, kind);
             case TURN -> turn(cockpit, ((Command.Turn) command).degrees());
             case UPLOAD_MISSION ->
                 upload(cockpit, ((Command.UploadMission) command).mission().items());
