@@ -193,7 +193,7 @@ return [
         'HoldCommand' => ['id' => 'string|null', 'epoch' => 'long|null'],
         'JournalEntryView' => ['number' => 'long', 'at' => 'dateTime', 'input' => 'string', 'decision' => 'string|null'],
         'LandCommand' => ['id' => 'string|null', 'epoch' => 'long|null'],
-        'LandItem' => [],
+        'LandItem' => ['latitude' => 'double|null', 'longitude' => 'double|null', 'altitude' => 'double|null', 'altitudeReference' => 'string|null'],
         'LeftBehind' => ['drones' => 'list of LeftBehindView'],
         'LeftBehindView' => ['id' => 'string', 'name' => 'string', 'since' => 'dateTime', 'outstanding' => 'list of DroneOutstandingView'],
         'LogView' => ['number' => 'int', 'at' => 'dateTime|null', 'sizeBytes' => 'long', 'here' => 'boolean'],

@@ -1116,9 +1116,25 @@ class LandCommand(Model):
 
 class LandItem(Model):
     """
-    Land where it is.
+    Land at a place, or, where the vehicle can, where it is.
     """
 
+    altitude: float | None = None
+    """
+    Metres of the ground there; left out: as high as home
+    """
+    altitude_reference: Literal["home", "amsl"] | str | None = None
+    """
+    home (the default) or amsl
+    """
+    latitude: float | None = None
+    """
+    Degrees; with longitude. Left out with it: where it is, -90 to 90
+    """
+    longitude: float | None = None
+    """
+    Degrees, -180 to 180
+    """
     type: Literal["land"] = "land"
 
 

@@ -668,8 +668,28 @@ export interface components {
              */
             type: "land";
         };
-        /** @description Land where it is. */
+        /** @description Land at a place, or, where the vehicle can, where it is. */
         LandItem: {
+            /**
+             * Format: double
+             * @description Metres of the ground there; left out: as high as home
+             */
+            altitude?: number | null;
+            /**
+             * @description home (the default) or amsl
+             * @enum {string|null}
+             */
+            altitudeReference?: "home" | "amsl" | null;
+            /**
+             * Format: double
+             * @description Degrees; with longitude. Left out with it: where it is
+             */
+            latitude?: number | null;
+            /**
+             * Format: double
+             * @description Degrees
+             */
+            longitude?: number | null;
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}

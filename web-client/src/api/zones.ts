@@ -75,9 +75,9 @@ export class ZoneCalls {
   /** The fence of the vehicle; null: it was not read yet. */
   async onBoard(drone: string): Promise<FenceSummary | null> {
     const { zones, returnPoint, leftOut } = await this.#rest.getFence({ id: drone });
-    return zones == null
+    return (zones ?? null) === null
       ? null
-      : { areas: zones.length, returns: returnPoint != null, leftOut: leftOut ?? [] };
+      : { areas: zones.length, returns: (returnPoint ?? null) !== null, leftOut: leftOut ?? [] };
   }
 
   remove(id: string): Promise<void> {

@@ -14,5 +14,5 @@ export function importText({ zones, leftOut, leftOutTotal }: ZoneImport): string
 
 /** Where it stands in the file, and why it is no zone. */
 export function leftOutText({ at, name, why }: ZoneLeftOutView): string {
-  return `${name == null ? at : `${name} (${at})`}: ${why}`;
+  return `${(name ?? null) === null ? at : `${name} (${at})`}: ${why}`;
 }

@@ -211,7 +211,7 @@ final class ArduPilotAdapter implements AutopilotAdapter {
             case RETURN_TO_LAUNCH -> returnToLaunch(cockpit);
             case HOLD, PAUSE_MISSION -> hold(cockpit, cockpit.observer());
             case GO_TO -> GuidedExchanges.goTo(cockpit, guided(cockpit), (Command.GoTo) command, kind);
-            case CHANGE_SPEED -> changeSpeed(cockpit, (ChangeSpeed) command);
+            case CHANGE_SPEED -> SpeedExchanges.ofArduPilot(cockpit, (ChangeSpeed) command, kind);
             case TURN -> GuidedExchanges.turn(cockpit, guided(cockpit), ((Command.Turn) command).degrees());
             case UPLOAD_MISSION ->
                 upload(cockpit, ((Command.UploadMission) command).mission().items());
@@ -245,12 +245,6 @@ final class ArduPilotAdapter implements AutopilotAdapter {
     @Override
     public Optional<Message> steer(Setpoint setpoint, MavlinkTarget target) {
         return new SetpointEncoder(target, kind).encode(setpoint);
-    }
-
-    private Exchange changeSpeed(CommandContext cockpit, ChangeSpeed command) {
-        return table == ArduPilotModeTable.PLANE
-                ? SpeedExchanges.changePlane(cockpit, command, kind)
-                : SpeedExchanges.change(cockpit, command, kind);
     }
 
     private Exchange setCloudLoss(CommandContext cockpit, SetCloudLossAction command) {

@@ -35,8 +35,15 @@ final class SpeedExchanges {
                 }))));
     }
 
+    static Exchange ofArduPilot(CommandContext cockpit, ChangeSpeed command, VehicleKind kind) {
+        return switch (kind) {
+            case FIXED_WING, VTOL -> changePlane(cockpit, command, kind);
+            case MULTICOPTER, HELICOPTER, ROVER, BOAT, SUBMARINE, AIRSHIP, UNKNOWN -> change(cockpit, command, kind);
+        };
+    }
+
     /** An ArduPilot plane changes its air speed in two modes, within bounds of its own. */
-    static Exchange changePlane(CommandContext cockpit, ChangeSpeed command, VehicleKind kind) {
+    private static Exchange changePlane(CommandContext cockpit, ChangeSpeed command, VehicleKind kind) {
         if (!cockpit.status().inMode("GUIDED") && !cockpit.status().inMode("AUTO")) {
             return BasicExchanges.refuse(
                     OutcomeCode.MODE_NOT_STEERABLE,
