@@ -75,7 +75,7 @@ export class ZoneCalls {
   /** The fence of the vehicle; null: it was not read yet. */
   async onBoard(drone: string): Promise<FenceSummary | null> {
     const { zones, returnPoint, leftOut } = await this.#rest.getFence({ id: drone });
-    return (zones ?? null) === null
+    return zones === null || zones === undefined
       ? null
       : { areas: zones.length, returns: (returnPoint ?? null) !== null, leftOut: leftOut ?? [] };
   }
