@@ -2,6 +2,7 @@ package org.dronemap.proxy.session;
 
 import java.util.List;
 import java.util.Objects;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import org.dronemap.core.cloud.SendAuthority;
@@ -80,7 +81,8 @@ final class AutopilotChannel {
         telemetry = new TelemetryTranslator(autopilot, status, this::publish);
         parameters = new ParameterTable(autopilot, this::publish);
         rates = new MessageRateRequester(target);
-        autopilot.ownMessages().forEach(rates::also);
+        // In one order on every machine.
+        new TreeMap<>(autopilot.ownMessages()).forEach(rates::also);
         missions = new MissionWatch(target, autopilot, status, this::publish, missionRead);
         time = new TimesyncResponder(target);
         gimbal = new GimbalControl(target, links::send);

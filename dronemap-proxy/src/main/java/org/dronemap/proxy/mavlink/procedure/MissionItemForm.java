@@ -11,6 +11,7 @@ final class MissionItemForm {
     /** So often an item goes out as integers before anything else is thought of. */
     private static final int TRIES_BEFORE_FLOATS = 3;
 
+    private boolean knowsIntegers;
     private boolean askedInOldForm;
     /** The item that is asked for went out in floating point, maybe beside integers. */
     private boolean sentAsFloats;
@@ -18,8 +19,13 @@ final class MissionItemForm {
     private boolean integersTaken;
     private boolean floatsTaken;
 
+    /** The vehicle says of itself that it takes integers, however it asks. */
+    void knowsIntegers() {
+        knowsIntegers = true;
+    }
+
     void asked(boolean inOldForm) {
-        askedInOldForm = inOldForm;
+        askedInOldForm = inOldForm && !knowsIntegers;
     }
 
     /**

@@ -90,6 +90,14 @@ public final class MissionUpload implements Exchange {
         return new MissionUpload(target, kind, items, span, observer);
     }
 
+    /** {@code known}: the vehicle says of itself that it takes integer items; it is given nothing else. */
+    public MissionUpload takenAsIntegers(boolean known) {
+        if (known) {
+            form.knowsIntegers();
+        }
+        return this;
+    }
+
     @Override
     public void start(long nowNanos) {
         patience.begin(nowNanos);

@@ -100,7 +100,8 @@ final class FenceExchanges {
         MissionDownload readBack = MissionDownload.whole(
                 cockpit.target(), kind, new StepProgressObserver(cockpit.observer(), items.size(), steps));
         MissionUpload upload = new MissionUpload(
-                cockpit.target(), kind, items, new StepProgressObserver(cockpit.observer(), 0, steps));
+                        cockpit.target(), kind, items, new StepProgressObserver(cockpit.observer(), 0, steps))
+                .takenAsIntegers(cockpit.status().takesIntegerItems());
         return new ExchangeSequence(List.of(
                 ExchangeSequence.Step.of(() -> items.isEmpty() ? new MissionClear(cockpit.target(), kind) : upload),
                 ExchangeSequence.Step.of(() -> readBack),

@@ -92,11 +92,12 @@ final class MissionExchanges {
             readBack.inAnyOrder();
         }
         MissionUpload upload = MissionUpload.part(
-                cockpit.target(),
-                MavMissionType.MISSION,
-                wire,
-                span,
-                new StepProgressObserver(cockpit.observer(), 0, steps));
+                        cockpit.target(),
+                        MavMissionType.MISSION,
+                        wire,
+                        span,
+                        new StepProgressObserver(cockpit.observer(), 0, steps))
+                .takenAsIntegers(cockpit.status().takesIntegerItems());
         last = upload;
         return new ExchangeSequence(List.of(
                 ExchangeSequence.Step.of(() -> upload),

@@ -16,6 +16,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class VehicleStatus {
     private static final int ARMED_FLAG = 128;
+    private static final int CAPABILITY_MISSION_INT = 4;
     private static final int MISSION_COMPLETE = 5;
     private static final Set<String> MISSION_MODES = Set.of("AUTO", "MISSION");
     private static final double CLEARLY_ABOVE_METERS = 1;
@@ -80,6 +81,12 @@ public final class VehicleStatus {
 
     public @Nullable AutopilotVersion version() {
         return version;
+    }
+
+    /** By its own word; false also as long as it has said nothing of it. */
+    public boolean takesIntegerItems() {
+        AutopilotVersion heard = version;
+        return heard != null && (heard.capabilities() & CAPABILITY_MISSION_INT) != 0;
     }
 
     public @Nullable Heartbeat heartbeat() {
