@@ -4,8 +4,8 @@ import java.util.List;
 import org.dronemap.sim.autopilot.LinkCompanion;
 
 /**
- * What the simulated vehicles have that a plain one has not: noise of sensors under a seed (0: none), others on their
- * link, and cells that are told one by one (0: their sum alone).
+ * Peculiarities of the simulated vehicles that a plain one has not: noise of sensors under a seed (0: none), others on
+ * their link, and cells that are told one by one (0: their sum alone).
  */
 record SimulatorOddities(long noiseSeed, List<LinkCompanion> companions, int cells) {
     static final SimulatorOddities NONE = new SimulatorOddities(0, List.of(), 0);

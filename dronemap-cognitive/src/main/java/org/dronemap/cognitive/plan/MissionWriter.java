@@ -52,7 +52,7 @@ public final class MissionWriter {
         }
     }
 
-    /** What is not done at a waypoint, and why, as a sentence. */
+    /** A task that is not done at a waypoint, and the reason as a sentence. */
     public record LeftTask(String waypoint, String reason) {}
 
     /** Why no drone can carry it, as a sentence. */
@@ -102,9 +102,9 @@ public final class MissionWriter {
 
     /** At a waypoint, for a time that is exact where the vehicle can wait so. */
     private void stay(List<MissionItem> items, Place place, double seconds) {
-        boolean waits = !takes.takesHold(seconds);
+        boolean waits = !takes.supportsHold(seconds);
         items.add(waypoint(place, waits ? 0 : seconds));
-        if (waits && takes.takes(MissionItem.Kind.WAIT)) {
+        if (waits && takes.supports(MissionItem.Kind.WAIT)) {
             items.add(new MissionItem.Wait(seconds));
         }
     }
@@ -114,7 +114,7 @@ public final class MissionWriter {
         if (kind == VehicleKind.FIXED_WING) {
             return Optional.of(new MissionItem.ReturnToLaunch());
         }
-        if (!takes.takes(MissionItem.Kind.LAND)) {
+        if (!takes.supports(MissionItem.Kind.LAND)) {
             return Optional.empty();
         }
         return Optional.of(
@@ -126,7 +126,7 @@ public final class MissionWriter {
 
     /** Of the task there what takes a vehicle that waits, where it does not; a photo is taken on the way past. */
     private List<LeftTask> left(Tour tour, int stop) {
-        if (takes.takes(MissionItem.Kind.WAIT)) {
+        if (takes.supports(MissionItem.Kind.WAIT)) {
             return List.of();
         }
         String waypoint = tour.stops().get(stop).waypoint();
@@ -162,7 +162,7 @@ public final class MissionWriter {
             double seconds = last ? Math.max(rest, task.seconds()) : task.seconds();
             rest -= seconds;
             int item = order.isPresent() ? items.size() - 1 : items.size();
-            boolean waits = takes.takes(MissionItem.Kind.WAIT);
+            boolean waits = takes.supports(MissionItem.Kind.WAIT);
             if (waits) {
                 items.add(new MissionItem.Wait(seconds));
             }

@@ -7,8 +7,8 @@ import org.dronemap.core.mission.MissionAbilities.Landing;
 import org.dronemap.core.mission.MissionItem.Kind;
 
 /**
- * Which mission items plans use for a kind of vehicle: those that every firmware for it flies, since a plan may be made
- * before its drones are heard.
+ * Tells the mission items that plans use for a kind of vehicle: those that every firmware for it flies, since a plan
+ * may be made before its drones are heard.
  */
 final class PlannedItems {
     private PlannedItems() {}

@@ -5,8 +5,8 @@ import java.util.EnumSet;
 import java.util.Set;
 
 /**
- * Which refusals to be armed, or to take the mode for it, may pass by themselves, and for how long they are waited for:
- * an autopilot finds its position up to a minute after it was switched on, and refuses till then.
+ * Knows which refusals to be armed, or to take the mode for it, may pass by themselves, and for how long they are
+ * waited for: an autopilot finds its position up to a minute after it was switched on, and refuses till then.
  */
 public final class ArmingRetry {
     /** From the first refusal on. */

@@ -7,7 +7,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
- * What a vehicle takes in missions and flies as it is written, as its autopilot adapter declares it.
+ * Mission items that a vehicle takes and flies as they are written, as its autopilot adapter declares them.
  *
  * @param kinds of items; what is not among them the firmware does not know, or skips without a word
  */
@@ -20,7 +20,7 @@ public record MissionAbilities(Set<MissionItem.Kind> kinds, Hold hold, Landing l
         ANY
     }
 
-    /** How it lands by a mission. */
+    /** The way in which it lands by a mission. */
     public enum Landing {
         /** Straight down, where it is or at a place. */
         VERTICAL,
@@ -58,12 +58,12 @@ public record MissionAbilities(Set<MissionItem.Kind> kinds, Hold hold, Landing l
         return new MissionAbilities(kinds, hold, other);
     }
 
-    public boolean takes(MissionItem.Kind kind) {
+    public boolean supports(MissionItem.Kind kind) {
         return kinds.contains(kind);
     }
 
     /** Whether it waits so long at a waypoint, no more and no less. */
-    public boolean takesHold(double seconds) {
+    public boolean supportsHold(double seconds) {
         return switch (hold) {
             case NONE -> seconds == 0;
             case WHOLE_SECONDS -> seconds == Math.rint(seconds);
@@ -85,7 +85,7 @@ public record MissionAbilities(Set<MissionItem.Kind> kinds, Hold hold, Landing l
 
     private Optional<MissionItemFault> fault(List<MissionItem> items, int index) {
         MissionItem item = items.get(index);
-        if (!takes(item.kind())) {
+        if (!supports(item.kind())) {
             return Optional.of(new MissionItemFault(
                     index, "type", "one of " + words(), "does not fly such an item in a mission; it flies " + words()));
         }
@@ -114,7 +114,7 @@ public record MissionAbilities(Set<MissionItem.Kind> kinds, Hold hold, Landing l
     }
 
     private Optional<MissionItemFault> hold(int index, double seconds) {
-        if (takesHold(seconds)) {
+        if (supportsHold(seconds)) {
             return Optional.empty();
         }
         String allowed = hold == Hold.NONE ? "0" : "whole seconds, 0 to " + LONGEST_HOLD_SECONDS;

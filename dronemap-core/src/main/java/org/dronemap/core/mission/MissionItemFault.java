@@ -1,7 +1,7 @@
 package org.dronemap.core.mission;
 
 /**
- * Why a vehicle does not fly one item of a mission as it is written.
+ * A reason for which a vehicle does not fly one item of a mission as it is written.
  *
  * @param index of the item, from 0
  * @param field the item's member that is not to be had so, as clients write it

@@ -3,7 +3,7 @@ package org.dronemap.sim.autopilot;
 import java.util.List;
 import org.dronemap.sim.flight.SimulatedMissionItem;
 
-/** Where an autopilot keeps the items of its fence or its rally points; each answer is a MAV_MISSION_RESULT. */
+/** Keeps the items of an autopilot's fence or of its rally points; each answer is a MAV_MISSION_RESULT. */
 public interface FenceStorage {
     int ACCEPTED = 0;
     int ERROR = 1;

@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import org.dronemap.mavlink.message.Heartbeat;
 
-/** Who else may speak on the link of a simulated vehicle, with a heartbeat of its own. */
+/** Another sender that may speak on the link of a simulated vehicle, with a heartbeat of its own. */
 public enum LinkCompanion {
     GIMBAL(154, 26, false),
     CAMERA(100, 30, false),

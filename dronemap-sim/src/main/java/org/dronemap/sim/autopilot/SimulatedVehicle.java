@@ -167,7 +167,7 @@ public final class SimulatedVehicle {
         SimulatedParameters kept = autopilot.parameters();
         var fence = autopilot.fence().items();
         var rallyPoints = autopilot.rallyPoints().items();
-        takeSystemId(kept);
+        applySystemId(kept);
         texts = new TextSender(this::send);
         var items = autopilot.plan().items();
         craft.setArmed(false);
@@ -192,7 +192,7 @@ public final class SimulatedVehicle {
     }
 
     /** A system id that was written counts from the next start. */
-    private void takeSystemId(SimulatedParameters kept) {
+    private void applySystemId(SimulatedParameters kept) {
         for (String name : new String[] {"SYSID_THISMAV", "MAV_SYS_ID"}) {
             SimulatedParameters.Parameter written = kept.find(name);
             if (written != null && written.value() >= 1 && written.value() <= 255) {

@@ -1,6 +1,6 @@
 package org.dronemap.sim.flight;
 
-/** How a kind of simulated vehicle flies each item of its mission. */
+/** Makes the manoeuvre by which a kind of simulated vehicle flies each item of its mission. */
 public interface MissionLegs {
     /** It moves for this item, or waits; other items are carried out at once, or passed over. */
     default boolean flies(SimulatedMissionItem item) {

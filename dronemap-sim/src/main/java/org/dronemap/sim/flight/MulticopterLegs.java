@@ -2,7 +2,7 @@ package org.dronemap.sim.flight;
 
 import org.dronemap.sim.physics.NeuPosition;
 
-/** How a simulated multicopter flies the items of its mission. */
+/** Makes the manoeuvres by which a simulated multicopter flies the items of its mission. */
 public final class MulticopterLegs implements MissionLegs {
     private static final long WAIT_AT_HOME_MILLIS = 5_000;
 

@@ -3,8 +3,8 @@ package org.dronemap.sim.physics;
 import java.util.SplittableRandom;
 
 /**
- * How far a simulated vehicle is mistaken about its place: a slow wandering over ground as of a GPS receiver, a height
- * that drifts as a barometer does. Repeatable by its seed; metres. Owned by its vehicle.
+ * Errors of a simulated vehicle about its place: a slow wandering over ground as of a GPS receiver, a height that
+ * drifts as a barometer does. Repeatable by its seed; metres. Owned by its vehicle.
  */
 public final class SensorNoise {
     /** What the receiver says of itself: two in three times it is nearer than that. */

@@ -56,7 +56,7 @@ final class LostDrones {
     }
 
     /** It may get waypoints again, and is no longer said to be silent. */
-    static void heardOnTheGround(RunTransition draft, RunDrone drone) {
+    static void endSilenceOnTheGround(RunTransition draft, RunDrone drone) {
         if (silentOnTheGround(drone).equals(drone.note())) {
             draft.put(drone.noted(null));
             draft.explain(RunTrigger.HEARD_AGAIN, drone.id(), drone.name() + " is heard again; it is on the ground.");

@@ -117,7 +117,7 @@ final class RunDroneMonitor {
                 }
             }
             case UPLOADING, READY, ARMING -> onTheGround(draft, drone, look);
-            case LANDED -> LostDrones.heardOnTheGround(draft, drone);
+            case LANDED -> LostDrones.endSilenceOnTheGround(draft, drone);
             case CRASHED -> FlightHealth.checkCrashed(draft, drone, look);
             default -> {}
         }

@@ -42,7 +42,7 @@ final class UnflyableWaypoints {
             return false;
         }
         List<String> waypoints = next.waypointOf(fault.item()).stream().toList();
-        takeFrom(draft, drone, waypoints, fault.sentence());
+        withdrawFrom(draft, drone, waypoints, fault.sentence());
         return !waypoints.isEmpty();
     }
 
@@ -54,11 +54,11 @@ final class UnflyableWaypoints {
         }
         List<String> waypoints =
                 next.tasks().stream().map(TaskItem::waypoint).distinct().toList();
-        takeFrom(draft, drone, waypoints, sentence);
+        withdrawFrom(draft, drone, waypoints, sentence);
         return !waypoints.isEmpty();
     }
 
-    private static void takeFrom(RunTransition draft, RunDrone drone, List<String> waypoints, String why) {
+    private static void withdrawFrom(RunTransition draft, RunDrone drone, List<String> waypoints, String why) {
         if (waypoints.isEmpty()) {
             return;
         }

@@ -19,23 +19,23 @@ public final class StatePartAges {
     private static final Duration SHORTEST = Duration.ofSeconds(10);
     private static final int INTERVALS = 3;
 
-    private final Map<StatePart, Heard> parts = new EnumMap<>(StatePart.class);
+    private final Map<StatePart, Received> parts = new EnumMap<>(StatePart.class);
     private List<OutdatedPart> outdated = List.of();
 
-    private record Heard(Instant at, Duration interval) {}
+    private record Received(Instant at, Duration interval) {}
 
     /** Takes in what the vehicle told then. */
     public void apply(DroneEvent event, Instant at) {
         switch (event.kind()) {
             case MODE -> mode((DroneEvent.ModeReported) event, at);
-            case READINESS -> heard(StatePart.READINESS, ((DroneEvent.ReadinessReported) event).readyToArm(), at);
-            case PHASE -> heard(StatePart.FLIGHT, ((DroneEvent.PhaseReported) event).phase(), at);
-            case POSITION -> heard(StatePart.POSITION, event, at);
-            case LOCAL_POSITION -> heard(StatePart.LOCAL, event, at);
-            case MOTION -> heard(StatePart.MOTION, event, at);
-            case ATTITUDE -> heard(StatePart.ATTITUDE, ((DroneEvent.AttitudeReported) event).attitude(), at);
-            case BATTERY -> heard(StatePart.BATTERY, event, at);
-            case GPS -> heard(StatePart.GPS, event, at);
+            case READINESS -> received(StatePart.READINESS, ((DroneEvent.ReadinessReported) event).readyToArm(), at);
+            case PHASE -> received(StatePart.FLIGHT, ((DroneEvent.PhaseReported) event).phase(), at);
+            case POSITION -> received(StatePart.POSITION, event, at);
+            case LOCAL_POSITION -> received(StatePart.LOCAL, event, at);
+            case MOTION -> received(StatePart.MOTION, event, at);
+            case ATTITUDE -> received(StatePart.ATTITUDE, ((DroneEvent.AttitudeReported) event).attitude(), at);
+            case BATTERY -> received(StatePart.BATTERY, event, at);
+            case GPS -> received(StatePart.GPS, event, at);
             // What is told once, when it changes or when it is asked for, or has its own time.
             case IDENTIFIED, HOME, RETURN_HEIGHT_SET, MISSION_CURRENT, MISSION_ITEM_REACHED, MISSION_READ -> {}
             case PARAMETERS_READ, PARAMETER, LOGS_READ, FENCE_READ, RALLY_POINTS_READ -> {}
@@ -44,19 +44,19 @@ public final class StatePartAges {
     }
 
     private void mode(DroneEvent.ModeReported told, Instant at) {
-        heard(StatePart.MODE, told.mode(), at);
+        received(StatePart.MODE, told.mode(), at);
         if (told.armed() != null) {
-            heard(StatePart.ARMED, told.armed(), at);
+            received(StatePart.ARMED, told.armed(), at);
         }
     }
 
     /** What is told to be unknown does not age. */
-    private void heard(StatePart part, @Nullable Object value, Instant at) {
-        Heard before = parts.get(part);
+    private void received(StatePart part, @Nullable Object value, Instant at) {
+        Received before = parts.get(part);
         if (value == null) {
             parts.remove(part);
         } else {
-            parts.put(part, new Heard(at, before == null ? Duration.ZERO : Duration.between(before.at(), at)));
+            parts.put(part, new Received(at, before == null ? Duration.ZERO : Duration.between(before.at(), at)));
         }
         if (!outdated.isEmpty()) {
             outdated = outdated.stream().filter(old -> old.part() != part).toList();
@@ -77,11 +77,11 @@ public final class StatePartAges {
 
     private List<OutdatedPart> outdatedAt(Instant now) {
         List<OutdatedPart> found = new ArrayList<>();
-        parts.forEach((part, heard) -> {
-            Duration longest = heard.interval().multipliedBy(INTERVALS);
+        parts.forEach((part, received) -> {
+            Duration longest = received.interval().multipliedBy(INTERVALS);
             Duration patience = longest.compareTo(SHORTEST) > 0 ? longest : SHORTEST;
-            if (Duration.between(heard.at(), now).compareTo(patience) > 0) {
-                found.add(new OutdatedPart(part, heard.at()));
+            if (Duration.between(received.at(), now).compareTo(patience) > 0) {
+                found.add(new OutdatedPart(part, received.at()));
             }
         });
         return List.copyOf(found);

@@ -41,7 +41,7 @@ final class MissionItemForm {
     }
 
     /** The vehicle goes on behind the item that was asked for: it knows a form that this went out in. */
-    void taken() {
+    void accepted() {
         floatsTaken |= sentAsFloats;
         integersTaken |= !sentAsFloats;
     }

@@ -170,7 +170,7 @@ public final class MissionUpload implements Exchange {
             outcome = new Outcome.Succeeded();
             return;
         }
-        outcome = takesNoForm(nowNanos) ? new Outcome.Failed(noForm()) : patience.end(nowNanos);
+        outcome = acceptsNoForm(nowNanos) ? new Outcome.Failed(noForm()) : patience.end(nowNanos);
         if (outcome != null) {
             return;
         }
@@ -182,7 +182,7 @@ public final class MissionUpload implements Exchange {
     }
 
     /** It asks for items and takes the first one in no form, however often both went out. */
-    private boolean takesNoForm(long nowNanos) {
+    private boolean acceptsNoForm(long nowNanos) {
         return form.isOpen() && begunAgain >= ROUNDS && patience.isAudible(nowNanos);
     }
 
@@ -221,7 +221,7 @@ public final class MissionUpload implements Exchange {
     }
 
     /** The items as the vehicle was able to take them. */
-    public List<MissionItemInt> taken() {
+    public List<MissionItemInt> acceptedItems() {
         return form.isRounded()
                 ? items.stream()
                         .map(item -> LegacyMissionItems.exact(LegacyMissionItems.older(item)))
@@ -248,7 +248,7 @@ public final class MissionUpload implements Exchange {
             return;
         }
         if (asked >= 0 && seq == asked + 1) {
-            form.taken();
+            form.accepted();
         }
         if (seq != asked) {
             tries = 0;
@@ -270,7 +270,7 @@ public final class MissionUpload implements Exchange {
         }
         if (ack.type() == MavMissionResult.ACCEPTED) {
             if (lastAsked) {
-                form.taken();
+                form.accepted();
                 observer.progress(span.size(), span.size());
                 outcome = new Outcome.Succeeded();
             }

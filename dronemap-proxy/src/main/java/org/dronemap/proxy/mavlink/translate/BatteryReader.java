@@ -28,7 +28,7 @@ final class BatteryReader {
     private final Source system = new Source();
     private boolean told;
 
-    /** What one message tells of one battery, each null when unknown. */
+    /** The values of one battery in one message, each null when unknown. */
     private record Reading(
             @Nullable Integer percent,
             @Nullable Double volts,
@@ -44,7 +44,7 @@ final class BatteryReader {
         private long lastNanos;
         private long intervalNanos;
 
-        void heard(Reading reading, long nowNanos) {
+        void received(Reading reading, long nowNanos) {
             intervalNanos = last == null ? 0 : nowNanos - lastNanos;
             last = reading;
             lastNanos = nowNanos;
@@ -60,7 +60,7 @@ final class BatteryReader {
     /** Empty as long as nothing was ever known. */
     Optional<Battery> received(SysStatus message, long nowNanos) {
         int millivolts = message.voltageBattery();
-        system.heard(
+        system.received(
                 new Reading(
                         percent(message.batteryRemaining()),
                         millivolts == UNKNOWN_U16 || millivolts == 0 ? null : Double.valueOf(millivolts / 1000.0),
@@ -81,7 +81,7 @@ final class BatteryReader {
             batteries.put(message.id(), source);
         }
         int millivolts = sum(message.voltages()) + sum(message.voltagesExt());
-        source.heard(
+        source.received(
                 new Reading(
                         percent(message.batteryRemaining()),
                         millivolts == 0 ? null : Double.valueOf(millivolts / 1000.0),
@@ -93,7 +93,7 @@ final class BatteryReader {
 
     /** The charge alone is known, as over a satellite. */
     Optional<Battery> received(int remaining, long nowNanos) {
-        system.heard(new Reading(percent(remaining), null, null, true), nowNanos);
+        system.received(new Reading(percent(remaining), null, null, true), nowNanos);
         return battery(nowNanos);
     }
 

@@ -14,7 +14,7 @@ final class ExplainedExchange implements Exchange {
     private final Exchange exchange;
     private final Explanation explanation;
 
-    /** What is known of a refusal besides the vehicle's own words. */
+    /** Knowledge about a refusal besides the vehicle's own words. */
     interface Explanation {
         /** Empty where nothing is to be added to what the vehicle said. */
         Optional<Refusal> of(Refusal said);

@@ -107,7 +107,7 @@ final class FenceExchanges {
                 ExchangeSequence.Step.of(() -> readBack),
                 ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> {
                     Outcome read = read(found.apply(readBack.items()));
-                    Outcome compared = compare(upload.taken(), readBack.items());
+                    Outcome compared = compare(upload.acceptedItems(), readBack.items());
                     return compared instanceof Outcome.Succeeded ? read : compared;
                 }))));
     }

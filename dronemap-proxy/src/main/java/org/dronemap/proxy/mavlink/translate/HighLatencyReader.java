@@ -32,7 +32,7 @@ public final class HighLatencyReader {
         return new Heartbeat(
                 message.type(),
                 message.autopilot(),
-                tellsArmed(message)
+                reportsArmed(message)
                         ? message.custom0() & 0xFF
                         : CUSTOM_MODE_ENABLED | (last == null ? 0 : last.baseMode() & ARMED),
                 message.autopilot() == PX4 ? (long) message.customMode() << 16 : message.customMode(),
@@ -41,7 +41,7 @@ public final class HighLatencyReader {
     }
 
     /** ArduPilot's has the base mode in a field of its own use; others do not say whether they are armed. */
-    static boolean tellsArmed(HighLatency2 message) {
+    static boolean reportsArmed(HighLatency2 message) {
         return message.autopilot() == ARDUPILOT;
     }
 

@@ -41,9 +41,9 @@ final class HighLatencyTranslator {
 
     private void received(HighLatency2 message, long nowNanos) {
         Heartbeat heartbeat = HighLatencyReader.heartbeat(message, status.heartbeat());
-        boolean tellsArmed = HighLatencyReader.tellsArmed(message);
-        mode(heartbeat, tellsArmed);
-        if (tellsArmed) {
+        boolean reportsArmed = HighLatencyReader.reportsArmed(message);
+        mode(heartbeat, reportsArmed);
+        if (reportsArmed) {
             phase(status.armed() ? null : FlightPhase.ON_GROUND);
         }
         position(message.latitude(), message.longitude(), message.altitude());
@@ -64,10 +64,10 @@ final class HighLatencyTranslator {
         waypoint(message.wpNum(), UNKNOWN_U8);
     }
 
-    private void mode(Heartbeat heartbeat, boolean tellsArmed) {
+    private void mode(Heartbeat heartbeat, boolean reportsArmed) {
         String mode = autopilot.modeName(heartbeat);
         status.heartbeat(heartbeat, mode);
-        out.accept(new DroneEvent.ModeReported(mode, tellsArmed ? (Boolean) status.armed() : null));
+        out.accept(new DroneEvent.ModeReported(mode, reportsArmed ? (Boolean) status.armed() : null));
     }
 
     /** Null: what was said before may be over; its height tells then. */

@@ -7,9 +7,9 @@ import org.dronemap.core.mission.MissionAbilities.Landing;
 import org.dronemap.core.mission.MissionItem.Kind;
 
 /**
- * What each kind of vehicle takes in missions and flies as it is written. ArduPilot's firmwares share one reader of
- * items, which takes what the vehicle later skips with no more than a text, and cuts what it has no room for; so what
- * is left out here is what they would take and not do. Seen with ArduPilot 4.5.6.
+ * The mission items that each kind of vehicle takes and flies as they are written. ArduPilot's firmwares share one
+ * reader of items, which takes what the vehicle later skips with no more than a text, and cuts what it has no room for;
+ * so what is left out here is what they would take and not do. Seen with ArduPilot 4.5.6.
  */
 final class MissionAbilityTable {
     /** It goes along the ground. */

@@ -53,12 +53,12 @@ final class MissionExchanges {
         Exchange written = new FallbackExchange(whole.get(), Outcome.Failed.class::isInstance, whole);
         return new FallbackExchange(
                 written,
-                outcome -> isNotTaken(outcome) && isBegun(),
+                outcome -> isNotAccepted(outcome) && isBegun(),
                 () -> withdrawal.after(Objects.requireNonNull(written.outcome()), mission));
     }
 
     /** A vehicle that cannot be heard is not asked to clear anything. */
-    private static boolean isNotTaken(Outcome outcome) {
+    private static boolean isNotAccepted(Outcome outcome) {
         return switch (outcome.kind()) {
             case REFUSED, FAILED -> true;
             case SUCCEEDED, TIMED_OUT, SUPERSEDED, UNKNOWN -> false;
@@ -110,7 +110,7 @@ final class MissionExchanges {
         List<MissionItem> wanted = mission;
         if (upload.isRounded()) {
             cockpit.warning().accept(ROUNDED);
-            wanted = MissionCodec.fromWire(upload.taken(), itemsBefore);
+            wanted = MissionCodec.fromWire(upload.acceptedItems(), itemsBefore);
         }
         return MissionComparison.difference(wanted, found)
                 .<Outcome>map(difference ->

@@ -5,8 +5,9 @@ import org.dronemap.mavlink.message.SysStatus;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Whether a vehicle can be armed and led: what its pre-arm checks say, and whether its estimator knows where it is. The
- * checks alone are of the mode that it is in, and pass in one that a pilot flies in long before the cloud can lead it.
+ * Tells whether a vehicle can be armed and led: what its pre-arm checks say, and whether its estimator knows where it
+ * is. The checks alone are of the mode that it is in, and pass in one that a pilot flies in long before the cloud can
+ * lead it.
  */
 final class ReadinessReports {
     private static final long PREARM_CHECK = 0x1000_0000L;

@@ -28,7 +28,7 @@ final class SpeedExchanges {
     static Exchange change(CommandContext cockpit, ChangeSpeed command, VehicleKind kind) {
         double speed = command.metersPerSecond();
         return new ExchangeSequence(List.of(
-                ExchangeSequence.Step.of(() -> said(cockpit, speed, kind, cockpit.observer())),
+                ExchangeSequence.Step.of(() -> speedCommand(cockpit, speed, kind, cockpit.observer())),
                 ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> {
                     cockpit.status().speedChanged(speed);
                     return new Outcome.Succeeded();
@@ -75,7 +75,7 @@ final class SpeedExchanges {
                     Double speed = cockpit.status().speed();
                     return speed == null
                             ? new ImmediateExchange(Outcome.Succeeded::new)
-                            : said(cockpit, speed, kind, ExchangeObserver.NONE);
+                            : speedCommand(cockpit, speed, kind, ExchangeObserver.NONE);
                 },
                 outcome -> {
                     if (!(outcome instanceof Outcome.Succeeded)) {
@@ -87,7 +87,8 @@ final class SpeedExchanges {
                 });
     }
 
-    private static Exchange said(CommandContext cockpit, double speed, VehicleKind kind, ExchangeObserver observer) {
+    private static Exchange speedCommand(
+            CommandContext cockpit, double speed, VehicleKind kind, ExchangeObserver observer) {
         boolean wings = kind == VehicleKind.FIXED_WING || kind == VehicleKind.VTOL;
         float[] parameters = {wings ? THROUGH_THE_AIR : OVER_THE_GROUND, (float) speed, SAME_THROTTLE};
         return new CommandExchange(

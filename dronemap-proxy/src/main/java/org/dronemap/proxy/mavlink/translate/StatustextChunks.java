@@ -43,7 +43,7 @@ final class StatustextChunks {
     }
 
     /** False for a chunk of another sentence with the same number; once it was told only repetitions belong to it. */
-    boolean takes(Frame frame) {
+    boolean accepts(Frame frame) {
         Statustext message = Statustext.decode(frame);
         byte[] held = bySequence.get(message.chunkSeq());
         if (message.severity() != severityNumber) {
@@ -72,7 +72,7 @@ final class StatustextChunks {
     }
 
     /** What there is, once; empty when it was told before. */
-    Optional<String> tell() {
+    Optional<String> textOnce() {
         if (told) {
             return Optional.empty();
         }

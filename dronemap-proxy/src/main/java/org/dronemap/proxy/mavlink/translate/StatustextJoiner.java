@@ -34,7 +34,7 @@ final class StatustextJoiner {
         }
         Key key = new Key(frame.componentId(), message.id());
         StatustextChunks chunks = open.get(key);
-        if (chunks != null && (isOver(chunks, nowNanos) || !chunks.takes(frame))) {
+        if (chunks != null && (isOver(chunks, nowNanos) || !chunks.accepts(frame))) {
             open.remove(key);
             publish(chunks);
             chunks = null;
@@ -75,7 +75,7 @@ final class StatustextJoiner {
     }
 
     private void publish(StatustextChunks chunks) {
-        chunks.tell().ifPresent(text -> publish(chunks.severity(), text));
+        chunks.textOnce().ifPresent(text -> publish(chunks.severity(), text));
     }
 
     private void publish(Severity how, String text) {

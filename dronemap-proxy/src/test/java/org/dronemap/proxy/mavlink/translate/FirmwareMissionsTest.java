@@ -63,7 +63,7 @@ class FirmwareMissionsTest {
 
         Outcome outcome = upload(type, vehicle, mission);
 
-        assertThat(abilities(type).takes(MissionItem.Kind.WAYPOINT)).isTrue();
+        assertThat(abilities(type).supports(MissionItem.Kind.WAYPOINT)).isTrue();
         if (taken) {
             assertThat(outcome).isEqualTo(new Outcome.Succeeded());
             assertThat(MissionCodec.fromWire(vehicle.memory.held, 1)).isEqualTo(mission.items());

@@ -2,7 +2,7 @@ package org.dronemap.sim.autopilot.ardupilot;
 
 import org.dronemap.sim.physics.MotionSetpoint;
 
-/** How a simulated ArduPilot vehicle moves in its present mode. */
+/** Moves a simulated ArduPilot vehicle as its present mode does. */
 public interface ArduPilotFlight {
     ArduPilotMode mode();
 

@@ -2,7 +2,7 @@ package org.dronemap.sim.autopilot.arduplane;
 
 import org.dronemap.sim.physics.MotionSetpoint;
 
-/** How the simulated ArduPlane runs along and climbs out: full power, straight ahead. */
+/** Makes the simulated ArduPlane run along and climb out: full power, straight ahead. */
 final class ClimbOut {
     /** Metres a second, as of the aeroplane that was recorded. */
     static final double RATE = 9.4;

@@ -3,7 +3,7 @@ package org.dronemap.sim.autopilot.arduplane;
 import org.dronemap.sim.flight.SimulatedCraft;
 
 /**
- * Whether the simulated ArduPlane takes itself for flying, which it only guesses from its speed: soon after it began to
+ * The simulated ArduPlane's guess from its speed whether it flies: it takes itself for flying soon after it began to
  * roll, and until three seconds after it stopped.
  */
 final class FlyingEstimate {

@@ -50,21 +50,23 @@ final class LandingSequence {
     boolean start(boolean flown) {
         int first = first();
         if (first == NONE) {
-            say(TextSeverity.WARNING, "Unable to start landing sequence");
+            sendText(TextSeverity.WARNING, "Unable to start landing sequence");
             return false;
         }
         mission.setCurrentItem(first);
         if (!flown) {
-            sayItemsFrom(first);
+            sendTextsFrom(first);
         }
-        say(TextSeverity.INFO, "Landing sequence start");
+        sendText(TextSeverity.INFO, "Landing sequence start");
         return true;
     }
 
     /** Says the items from that one to the first that is flown, as when a mission that rests is set to them. */
-    private void sayItemsFrom(int index) {
+    private void sendTextsFrom(int index) {
         for (int item = index; item < plan.size(); item++) {
-            say(TextSeverity.INFO, "Mission: " + item + " " + plan.item(item).typeName());
+            sendText(
+                    TextSeverity.INFO,
+                    "Mission: " + item + " " + plan.item(item).typeName());
             if (plan.item(item).isNavigation()) {
                 return;
             }
@@ -75,22 +77,22 @@ final class LandingSequence {
     void beginAnew(int index) {
         int first = first();
         if (first != NONE) {
-            say(TextSeverity.NOTICE, "Restarted landing via DO_LAND_START: " + first);
+            sendText(TextSeverity.NOTICE, "Restarted landing via DO_LAND_START: " + first);
             mission.setCurrentItem(first);
             return;
         }
         for (int before = index - 1; before > 0; before--) {
             SimulatedMissionItem item = plan.item(before);
             if (item.isNavigation() && item.hasPlace()) {
-                say(TextSeverity.NOTICE, "Restarted landing sequence at waypoint " + before);
+                sendText(TextSeverity.NOTICE, "Restarted landing sequence at waypoint " + before);
                 mission.setCurrentItem(before);
                 return;
             }
         }
-        say(TextSeverity.WARNING, "Unable to restart landing sequence");
+        sendText(TextSeverity.WARNING, "Unable to restart landing sequence");
     }
 
-    private void say(TextSeverity severity, String text) {
+    private void sendText(TextSeverity severity, String text) {
         events.accept(new FlightEvent.Text(severity, text));
     }
 }

@@ -85,12 +85,12 @@ final class LiftLanding implements Manoeuvre {
         double speed = craft.body().groundSpeed();
         double height = craft.aboveHome();
         switch (stage) {
-            case APPROACH -> say("VTOL approach d=%.1f", away);
-            case AIRBRAKE -> say("VTOL airbrake v=%.1f d=%.0f sd=%.0f h=%.1f", speed, away, away, height);
-            case POSITION1 -> say("VTOL position1 v=%.1f d=%.1f h=%.1f dc=%.1f", speed, away, height, 0.0);
-            case POSITION2 -> say("VTOL position2 started v=%.1f d=%.1f h=%.1f", speed, away, height);
-            case DESCEND -> say("Land descend started");
-            case FINAL -> say("Land final started");
+            case APPROACH -> sendText("VTOL approach d=%.1f", away);
+            case AIRBRAKE -> sendText("VTOL airbrake v=%.1f d=%.0f sd=%.0f h=%.1f", speed, away, away, height);
+            case POSITION1 -> sendText("VTOL position1 v=%.1f d=%.1f h=%.1f dc=%.1f", speed, away, height, 0.0);
+            case POSITION2 -> sendText("VTOL position2 started v=%.1f d=%.1f h=%.1f", speed, away, height);
+            case DESCEND -> sendText("Land descend started");
+            case FINAL -> sendText("Land final started");
             case NOT_BEGUN -> {}
         }
     }
@@ -101,7 +101,7 @@ final class LiftLanding implements Manoeuvre {
                 : speeds.downAt(place, craft.body().up());
     }
 
-    private void say(String format, Object... values) {
+    private void sendText(String format, Object... values) {
         events.accept(new FlightEvent.Text(TextSeverity.INFO, String.format(Locale.ROOT, format, values)));
     }
 }

@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  * place.
  */
 final class LoiterItem implements Manoeuvre {
-    /** Whether what it circles for is met. */
+    /** Decides whether what it circles for is met. */
     interface Goal {
         boolean isMet(Circle circle, long circlingMillis);
     }

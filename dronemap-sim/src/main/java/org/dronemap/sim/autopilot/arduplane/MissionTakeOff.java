@@ -38,7 +38,7 @@ final class MissionTakeOff implements Manoeuvre {
         }
         if (!done && craft.aboveHome() > metersAboveHome) {
             done = true;
-            say("Takeoff complete at %.2fm", craft.aboveHome());
+            sendText("Takeoff complete at %.2fm", craft.aboveHome());
         }
         if (!done) {
             report(craft, nowMillis);
@@ -53,12 +53,12 @@ final class MissionTakeOff implements Manoeuvre {
         }
         if (!courseHeld && quickSince >= 0 && nowMillis - quickSince >= COURSE_MILLIS) {
             courseHeld = true;
-            say("Holding course %.0f at %.1fm/s (0.0)", degrees(craft) * 100, speed);
+            sendText("Holding course %.0f at %.1fm/s (0.0)", degrees(craft) * 100, speed);
         }
         double soon = craft.aboveHome() + craft.body().velocityUp() * LEVEL_OFF_SECONDS;
         if (!levelling && craft.body().up() > 1 && soon >= metersAboveHome) {
             levelling = true;
-            say("Takeoff level-off starting at %.0fm", craft.aboveHome());
+            sendText("Takeoff level-off starting at %.0fm", craft.aboveHome());
         }
     }
 
@@ -66,7 +66,7 @@ final class MissionTakeOff implements Manoeuvre {
         return (Math.toDegrees(craft.body().yaw()) + 360) % 360;
     }
 
-    private void say(String format, Object... values) {
+    private void sendText(String format, Object... values) {
         events.accept(new FlightEvent.Text(TextSeverity.INFO, String.format(Locale.ROOT, format, values)));
     }
 

@@ -6,7 +6,7 @@ import org.dronemap.sim.flight.Manoeuvre;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.physics.MotionSetpoint;
 
-/** What a simulated ArduPlane does in a mode of its pilot, of whom the throttle stick alone is known. */
+/** Flies a simulated ArduPlane in a mode of its pilot, of whom the throttle stick alone is known. */
 final class PilotFlight implements Manoeuvre {
     private final boolean holdsHeight;
     private final BooleanSupplier stickLow;

@@ -84,7 +84,7 @@ final class PlaneFlight implements ArduPilotFlight {
             landAfterReturn(circle);
         }
         reportPlace();
-        tellReached();
+        reportReached();
         if (next != null) {
             PlaneMode wanted = next;
             next = null;
@@ -118,7 +118,7 @@ final class PlaneFlight implements ArduPilotFlight {
         } else if (event instanceof FlightEvent.ItemStarted started) {
             start(started);
         } else if (event instanceof FlightEvent.MissionEnded) {
-            say(TextSeverity.INFO, "Mission complete, changing mode to RTL");
+            sendText(TextSeverity.INFO, "Mission complete, changing mode to RTL");
             next = PlaneMode.RTL;
         } else {
             events.accept(event);
@@ -129,13 +129,13 @@ final class PlaneFlight implements ArduPilotFlight {
     private void start(FlightEvent.ItemStarted started) {
         int index = started.index();
         if (index < plan.size() && !plan.item(index).isNavigation()) {
-            say(TextSeverity.INFO, "Mission: " + index + " " + started.type());
+            sendText(TextSeverity.INFO, "Mission: " + index + " " + started.type());
         } else {
             events.accept(started);
         }
     }
 
-    private void tellReached() {
+    private void reportReached() {
         if (reachedItem != NONE) {
             events.accept(new FlightEvent.ItemReached(reachedItem));
             reachedItem = NONE;
@@ -321,7 +321,7 @@ final class PlaneFlight implements ArduPilotFlight {
         stick = throttle;
     }
 
-    private void say(TextSeverity severity, String text) {
+    private void sendText(TextSeverity severity, String text) {
         events.accept(new FlightEvent.Text(severity, text));
     }
 }

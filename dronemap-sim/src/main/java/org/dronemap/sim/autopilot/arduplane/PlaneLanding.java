@@ -55,7 +55,7 @@ final class PlaneLanding implements Manoeuvre {
     public MotionSetpoint fly(SimulatedCraft craft, long nowMillis) {
         if (begunAt < 0) {
             begunAt = nowMillis;
-            say(TextSeverity.INFO, "Landing approach start at %.1fm", craft.aboveHome());
+            sendText(TextSeverity.INFO, "Landing approach start at %.1fm", craft.aboveHome());
         }
         if (stage == Stage.CLIMBING_AWAY) {
             climbedAway |= craft.aboveHome() > climbTo;
@@ -72,7 +72,7 @@ final class PlaneLanding implements Manoeuvre {
         if (!slopeReported && nowMillis - begunAt >= SLOPE_MILLIS) {
             slopeReported = true;
             double slope = Math.toDegrees(Math.atan2(from.up() - to.up(), from.horizontalDistanceTo(to)));
-            say(TextSeverity.INFO, "Landing glide slope %.1f degrees", slope);
+            sendText(TextSeverity.INFO, "Landing glide slope %.1f degrees", slope);
         }
     }
 
@@ -103,7 +103,7 @@ final class PlaneLanding implements Manoeuvre {
             return false;
         }
         stage = Stage.FLARED;
-        say(
+        sendText(
                 TextSeverity.INFO,
                 "Flare %.1fm sink=%.2f speed=%.1f dist=%.1f",
                 height,
@@ -120,8 +120,8 @@ final class PlaneLanding implements Manoeuvre {
         }
         stage = Stage.CLIMBING_AWAY;
         climbTo = metersAboveHome;
-        say(TextSeverity.WARNING, "Unable to start find a landing abort sequence");
-        say(TextSeverity.NOTICE, "Landing aborted, climbing to %.0fm", metersAboveHome);
+        sendText(TextSeverity.WARNING, "Unable to start find a landing abort sequence");
+        sendText(TextSeverity.NOTICE, "Landing aborted, climbing to %.0fm", metersAboveHome);
         return true;
     }
 
@@ -142,7 +142,7 @@ final class PlaneLanding implements Manoeuvre {
         return here.horizontalDistanceTo(to);
     }
 
-    private void say(TextSeverity severity, String format, Object... values) {
+    private void sendText(TextSeverity severity, String format, Object... values) {
         events.accept(new FlightEvent.Text(severity, String.format(Locale.ROOT, format, values)));
     }
 }

@@ -34,11 +34,11 @@ final class PlaneLaunch {
         if (armedAt < 0 && !released) {
             armedAt = nowMillis;
             triggered = false;
-            say("Armed AUTO, xaccel = 0.0 m/s/s, waiting 0.2 sec");
+            sendText("Armed AUTO, xaccel = 0.0 m/s/s, waiting 0.2 sec");
         }
         if (!released && !triggered && nowMillis - armedAt >= WAIT_MILLIS) {
             triggered = true;
-            say(String.format(
+            sendText(String.format(
                     Locale.ROOT,
                     "Triggered AUTO. GPS speed = %.1f",
                     craft.body().groundSpeed()));
@@ -47,7 +47,7 @@ final class PlaneLaunch {
         return released;
     }
 
-    private void say(String text) {
+    private void sendText(String text) {
         events.accept(new FlightEvent.Text(TextSeverity.INFO, text));
     }
 }

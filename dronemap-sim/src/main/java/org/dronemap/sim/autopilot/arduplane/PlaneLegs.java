@@ -18,7 +18,7 @@ import org.dronemap.sim.physics.MotionSetpoint;
 import org.dronemap.sim.physics.NeuPosition;
 import org.jspecify.annotations.Nullable;
 
-/** How the simulated ArduPlane flies the items of its mission. Owned by its vehicle. */
+/** Makes the manoeuvres by which the simulated ArduPlane flies the items of its mission. Owned by its vehicle. */
 final class PlaneLegs implements MissionLegs {
     private final SimulatedMission plan;
     private final SimulatedParameters parameters;
@@ -49,7 +49,7 @@ final class PlaneLegs implements MissionLegs {
         this.events = link.events();
     }
 
-    /** What the legs need of the mission and the vehicle that fly them. */
+    /** The parts of the mission and the vehicle that the legs need. */
     record MissionLink(IntSupplier current, Runnable returnToLaunch, Consumer<FlightEvent> events) {}
 
     @Override
@@ -75,7 +75,8 @@ final class PlaneLegs implements MissionLegs {
             case SimulatedMissionItem.LOITER_TIME,
                     SimulatedMissionItem.LOITER_TURNS,
                     SimulatedMissionItem.LOITER_TO_ALTITUDE -> loiter(item, target, craft);
-            case SimulatedMissionItem.DELAY -> new OnceOnTheWay(() -> say("Delaying %.0f sec", item.param1()), true);
+            case SimulatedMissionItem.DELAY ->
+                new OnceOnTheWay(() -> sendText("Delaying %.0f sec", item.param1()), true);
             default -> waypoint(from, target, keepsLine, craft);
         };
     }
@@ -127,7 +128,7 @@ final class PlaneLegs implements MissionLegs {
             public MotionSetpoint fly(SimulatedCraft flown, long nowMillis) {
                 MotionSetpoint setpoint = leg.fly(flown, nowMillis);
                 if (leg.done()) {
-                    say("%s waypoint #%d dist %.0fm", leg.near() ? "Reached" : "Passed", index, leg.distance());
+                    sendText("%s waypoint #%d dist %.0fm", leg.near() ? "Reached" : "Passed", index, leg.distance());
                 }
                 return setpoint;
             }
@@ -185,7 +186,7 @@ final class PlaneLegs implements MissionLegs {
         return landing;
     }
 
-    private void say(String format, Object... values) {
+    private void sendText(String format, Object... values) {
         events.accept(new FlightEvent.Text(TextSeverity.INFO, String.format(Locale.ROOT, format, values)));
     }
 

@@ -54,7 +54,7 @@ final class TakeOffMode implements Manoeuvre {
             circleFromTheAir(craft);
         } else if (launch.released(craft, nowMillis)) {
             start = craft.body().position();
-            say(
+            sendText(
                     "Takeoff to %.0fm for %.1fm heading %.1f deg",
                     parameters.value("TKOFF_ALT"),
                     parameters.value("TKOFF_DIST"),
@@ -66,10 +66,10 @@ final class TakeOffMode implements Manoeuvre {
         NeuPosition here = craft.body().position();
         double missing = parameters.value("TKOFF_ALT") - craft.aboveHome();
         if (missing <= 0) {
-            say("Above TKOFF alt - loitering");
+            sendText("Above TKOFF alt - loitering");
             circle = around(here);
         } else {
-            say("Climbing to TKOFF alt then loitering");
+            sendText("Climbing to TKOFF alt then loitering");
             circle = around(ahead(here, craft.body().yaw()).withUp(here.up() + missing));
         }
     }
@@ -94,7 +94,7 @@ final class TakeOffMode implements Manoeuvre {
         return new Circle(centre, parameters.value("WP_LOITER_RAD"), cruise);
     }
 
-    private void say(String format, Object... values) {
+    private void sendText(String format, Object... values) {
         events.accept(new FlightEvent.Text(TextSeverity.INFO, String.format(Locale.ROOT, format, values)));
     }
 }

@@ -6,7 +6,7 @@ import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.TextSeverity;
 
-/** How far a simulated QuadPlane is between its lift motors and its wings, and what it says of it. */
+/** The progress of a simulated QuadPlane from its lift motors to its wings and back, with its texts about it. */
 final class VtolTransition {
     private static final int TO_WINGS = 1;
     private static final int LIFTED = 3;
@@ -32,7 +32,7 @@ final class VtolTransition {
         } else if (state == LIFTED) {
             state = TO_WINGS;
             reachedAt = NEVER;
-            say("Transition started airspeed %.1f", craft.body().groundSpeed());
+            sendText("Transition started airspeed %.1f", craft.body().groundSpeed());
         } else if (state == TO_WINGS) {
             advance(craft.body().groundSpeed(), nowMillis);
         }
@@ -41,10 +41,10 @@ final class VtolTransition {
     private void advance(double speed, long nowMillis) {
         if (reachedAt == NEVER && speed >= REACHED_SPEED) {
             reachedAt = nowMillis;
-            say("Transition airspeed reached %.1f", speed);
+            sendText("Transition airspeed reached %.1f", speed);
         } else if (reachedAt != NEVER && nowMillis - reachedAt >= SETTLING_MILLIS) {
             state = ON_WINGS;
-            say("Transition done");
+            sendText("Transition done");
         }
     }
 
@@ -53,7 +53,7 @@ final class VtolTransition {
         return state;
     }
 
-    private void say(String format, Object... values) {
+    private void sendText(String format, Object... values) {
         events.accept(new FlightEvent.Text(TextSeverity.INFO, String.format(Locale.ROOT, format, values)));
     }
 }

@@ -90,13 +90,13 @@ final class RoverFlight implements ArduPilotFlight {
         MotionSetpoint setpoint = manoeuvre.fly(craft, nowMillis);
         if (arrivalDue && manoeuvre.done()) {
             arrivalDue = false;
-            tellArrival();
+            reportArrival();
         }
         texts.flush();
         return setpoint;
     }
 
-    private void tellArrival() {
+    private void reportArrival() {
         if (mode == RoverMode.GUIDED) {
             events.accept(new FlightEvent.ItemReached(GUIDED_PLACE));
         } else {

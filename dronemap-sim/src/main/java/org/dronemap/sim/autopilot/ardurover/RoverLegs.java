@@ -10,7 +10,10 @@ import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.SimulatedMission;
 import org.dronemap.sim.flight.SimulatedMissionItem;
 
-/** How the simulated ArduRover drives the items of its mission; take-off and landing it passes over. */
+/**
+ * Makes the manoeuvres by which the simulated ArduRover drives the items of its mission; take-off and landing it passes
+ * over.
+ */
 final class RoverLegs implements MissionLegs {
     private final SimulatedMission plan;
     private final CruiseSpeeds cruise;

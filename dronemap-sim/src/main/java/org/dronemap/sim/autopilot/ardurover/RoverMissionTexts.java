@@ -28,16 +28,16 @@ final class RoverMissionTexts {
 
     void handle(FlightEvent event) {
         if (event instanceof FlightEvent.ItemStarted started) {
-            tellStart(started, plan.item(started.index()));
+            sendStart(started, plan.item(started.index()));
         } else if (event instanceof FlightEvent.ItemArrived arrived) {
-            tellArrival(arrived.index(), plan.item(arrived.index()));
+            sendArrival(arrived.index(), plan.item(arrived.index()));
         } else if (event instanceof FlightEvent.ItemReached done) {
             reached = done.index();
             if (plan.item(reached).command() == SimulatedMissionItem.LOITER_TIME) {
-                say(TextSeverity.WARNING, "Finished active loiter");
+                sendText(TextSeverity.WARNING, "Finished active loiter");
             }
         } else if (event instanceof FlightEvent.MissionEnded) {
-            say(TextSeverity.NOTICE, "Mission Complete");
+            sendText(TextSeverity.NOTICE, "Mission Complete");
         } else {
             out.accept(event);
         }
@@ -45,7 +45,7 @@ final class RoverMissionTexts {
 
     /** At the end of each step. */
     void flush() {
-        skipped.forEach(text -> say(TextSeverity.WARNING, text));
+        skipped.forEach(text -> sendText(TextSeverity.WARNING, text));
         skipped.clear();
         if (reached != NONE) {
             out.accept(new FlightEvent.ItemReached(reached));
@@ -54,33 +54,33 @@ final class RoverMissionTexts {
     }
 
     /** What is done at once never becomes the current item. */
-    private void tellStart(FlightEvent.ItemStarted started, SimulatedMissionItem item) {
+    private void sendStart(FlightEvent.ItemStarted started, SimulatedMissionItem item) {
         if (RoverLegs.isDriven(item)) {
             out.accept(started);
         } else {
-            say(TextSeverity.INFO, "Mission: " + started.index() + " " + started.type());
+            sendText(TextSeverity.INFO, "Mission: " + started.index() + " " + started.type());
         }
         switch (item.command()) {
             case SimulatedMissionItem.CHANGE_SPEED ->
-                say(TextSeverity.INFO, String.format(Locale.ROOT, "speed: %.1f m/s", item.param2()));
-            case SimulatedMissionItem.DELAY -> say(TextSeverity.INFO, "Delaying " + (int) item.param1() + " sec");
+                sendText(TextSeverity.INFO, String.format(Locale.ROOT, "speed: %.1f m/s", item.param2()));
+            case SimulatedMissionItem.DELAY -> sendText(TextSeverity.INFO, "Delaying " + (int) item.param1() + " sec");
             case SimulatedMissionItem.CONDITION_YAW -> skipped.add("Skipping invalid cmd #" + item.command());
             default -> {}
         }
     }
 
-    private void tellArrival(int index, SimulatedMissionItem item) {
+    private void sendArrival(int index, SimulatedMissionItem item) {
         boolean toPlace =
                 item.command() != SimulatedMissionItem.DELAY && item.command() != SimulatedMissionItem.RETURN_TO_LAUNCH;
         if (toPlace) {
             int seconds = item.command() == SimulatedMissionItem.LOITER_UNLIMITED ? 0 : (int) item.param1();
-            say(
+            sendText(
                     TextSeverity.INFO,
                     "Reached waypoint #" + index + (seconds > 0 ? ". Loiter for " + seconds + " seconds" : ""));
         }
     }
 
-    private void say(TextSeverity severity, String text) {
+    private void sendText(TextSeverity severity, String text) {
         out.accept(new FlightEvent.Text(severity, text));
     }
 }

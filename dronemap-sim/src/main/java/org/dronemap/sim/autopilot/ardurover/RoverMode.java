@@ -18,13 +18,13 @@ enum RoverMode implements ArduPilotMode {
 
     private final int number;
     private final boolean needsPosition;
-    private final boolean byHand;
+    private final boolean bySticks;
     private final boolean armable;
 
-    RoverMode(int number, boolean needsPosition, boolean byHand, boolean armable) {
+    RoverMode(int number, boolean needsPosition, boolean bySticks, boolean armable) {
         this.number = number;
         this.needsPosition = needsPosition;
-        this.byHand = byHand;
+        this.bySticks = bySticks;
         this.armable = armable;
     }
 
@@ -58,8 +58,8 @@ enum RoverMode implements ArduPilotMode {
     }
 
     /** The sticks drive it. */
-    boolean byHand() {
-        return byHand;
+    boolean bySticks() {
+        return bySticks;
     }
 
     /** It drives by itself. */

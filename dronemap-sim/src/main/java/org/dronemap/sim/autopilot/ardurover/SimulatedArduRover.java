@@ -164,7 +164,7 @@ public final class SimulatedArduRover extends SimulatedArduPilot {
     @Override
     public Heartbeat heartbeat() {
         RoverMode mode = flight.mode();
-        int base = 1 | (mode.byHand() ? 64 : 0) | (mode.byItself() ? 8 : 0) | (craft().armed() ? 128 : 0);
+        int base = 1 | (mode.bySticks() ? 64 : 0) | (mode.byItself() ? 8 : 0) | (craft().armed() ? 128 : 0);
         int type = flight.isBoat() ? SURFACE_BOAT : GROUND_ROVER;
         int status = mode == RoverMode.HOLD ? STANDBY : ACTIVE;
         return new Heartbeat(type, ARDUPILOT, base, mode.number(), failsafes.any() ? CRITICAL : status, 3);

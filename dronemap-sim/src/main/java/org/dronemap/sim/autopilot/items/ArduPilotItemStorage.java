@@ -25,7 +25,7 @@ public final class ArduPilotItemStorage implements MissionItemStorage {
     private static final int FRAME_RELATIVE = 3;
     private static final int FRAME_TERRAIN = 10;
 
-    /** What is kept of a command: four parameters, then x, y and z when they are no place. */
+    /** The kept parts of a command: four parameters, then x, y and z when they are no place. */
     private record Kept(boolean place, List<KeptNumber> numbers) {
         KeptNumber number(int index) {
             return numbers.get(index);
@@ -82,7 +82,7 @@ public final class ArduPilotItemStorage implements MissionItemStorage {
         for (int i = 0; i < parameters.length; i++) {
             boolean taken = kept == null
                     ? Float.isFinite(parameters[i])
-                    : kept.number(i).takes(parameters[i]);
+                    : kept.number(i).accepts(parameters[i]);
             if (!taken) {
                 return INVALID_PARAM1 + i;
             }

@@ -4,7 +4,7 @@ import java.util.Map;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * What ArduPilot's storage makes of one number of an item; {@code mayBeNothing}: a number that is none is taken too.
+ * One number of an item as ArduPilot's storage keeps it; {@code mayBeNothing}: a number that is none is taken too.
  */
 record KeptNumber(DoubleUnaryOperator kept, boolean mayBeNothing) {
     private static final double TURN_SHARES = 256;
@@ -44,7 +44,7 @@ record KeptNumber(DoubleUnaryOperator kept, boolean mayBeNothing) {
         return new KeptNumber(kept, mayBeNothing);
     }
 
-    boolean takes(float value) {
+    boolean accepts(float value) {
         return Float.isNaN(value) ? mayBeNothing : !Float.isInfinite(value);
     }
 
