@@ -177,8 +177,11 @@ class BadInputTest {
         String kinds = "takeOff, waypoint, returnToLaunch, land, wait, takePhoto, setServo, lookAt or lookAhead";
         return Stream.of(
                 Arguments.of(
-                        "{\"type\":\"land\",\"altitude\":5}",
+                        "{\"type\":\"returnToLaunch\",\"altitude\":5}",
                         "There is no member \"items[0].altitude\" here; there are: type."),
+                Arguments.of(
+                        "{\"type\":\"land\",\"altitude\":5}",
+                        "\"items[0].latitude\" is missing; it must be -90 to 90 degrees."),
                 Arguments.of(
                         "{\"type\":\"other\",\"description\":\"a jump\"}",
                         "\"items[0].type\" must be " + kinds + ", not \"other\"."),

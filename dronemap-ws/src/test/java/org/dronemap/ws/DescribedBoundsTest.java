@@ -299,7 +299,8 @@ class DescribedBoundsTest {
                 post(
                         "/missions",
                         "{\"name\":\"a\",\"items\":[{\"type\":\"waypoint\",\"altitude\":10," + PLACE
-                                + "},{\"type\":\"lookAt\",\"altitude\":10," + PLACE + "}]}"),
+                                + "},{\"type\":\"lookAt\",\"altitude\":10," + PLACE + "},{\"type\":\"land\"," + PLACE
+                                + "}]}"),
                 as(administrator, "/groups", "{\"name\":\"a\",\"members\":[\"" + member + "\"]}"),
                 as(administrator, "/fleets", "{\"name\":\"a\",\"drones\":[\"" + drone + "\"]}"),
                 as(administrator, "/invitations", "{\"label\":\"a\",\"role\":\"viewer\",\"days\":1}"),

@@ -110,7 +110,7 @@ class CommandDigestTest {
             }
             others.addAll(values(type, 1));
         }
-        others.removeIf(before::equals);
+        others.removeIf(other -> other.equals(before));
         return others;
     }
 

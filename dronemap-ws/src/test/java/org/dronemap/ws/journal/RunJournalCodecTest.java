@@ -13,6 +13,7 @@ import org.dronemap.cognitive.operation.run.ReplanComputation;
 import org.dronemap.cognitive.operation.run.RunState;
 import org.dronemap.cognitive.operation.run.model.RunInput;
 import org.dronemap.cognitive.operation.run.model.RunWaypoint;
+import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandKind;
@@ -134,12 +135,25 @@ class RunJournalCodecTest {
     void readsWhatWasWrittenBeforeAListWasThere() {
         RunWaypoint target = made.of(RunWaypoint.class);
         ObjectNode older = (ObjectNode) new JsonMapper().readTree(codec.write(RunWaypoint.class, target));
-        older.remove("reports");
+        older.remove(List.of("reports", "refusedBy"));
 
         Object again = codec.read(RunWaypoint.class, older.toString());
 
         older.putArray("reports");
         assertThat(codec.write(RunWaypoint.class, again)).isEqualTo(older.toString());
+    }
+
+    /** Hashes of the states of runs under way go over what is written. */
+    @Test
+    void writesNothingOfAListThatCameLaterWhileItIsEmpty() {
+        RunWaypoint waypoint = RunWaypoint.waiting(made.of(Waypoint.class));
+
+        String text = codec.write(RunWaypoint.class, waypoint);
+        String refused = codec.write(RunWaypoint.class, waypoint.refusedBy(new DroneId("d1")));
+
+        assertThat(text).endsWith(",\"leftOut\":false,\"reports\":[]}");
+        assertThat(refused).isEqualTo(text.replaceAll("}$", ",\"refusedBy\":[{\"value\":\"d1\"}]}"));
+        assertThat(codec.read(RunWaypoint.class, text)).isEqualTo(waypoint);
     }
 
     @Test

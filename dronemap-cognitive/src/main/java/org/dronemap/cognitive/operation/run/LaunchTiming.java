@@ -31,12 +31,16 @@ final class LaunchTiming {
         long flying = draft.drones().stream()
                 .filter(drone -> drone.stage() == RunDroneStage.READY)
                 .count();
-        draft.explain(
-                RunTrigger.START,
-                null,
-                flying == 1
-                        ? "The mission of 1 drone is on board; it is armed and started at its time."
-                        : "The missions of " + flying + " drones are on board; each is armed and started at its time.");
+        draft.explain(RunTrigger.START, null, words(draft, flying));
+    }
+
+    private static String words(RunTransition draft, long flying) {
+        if (draft.isInFirstWording()) {
+            return "All missions are on board; " + RunMessages.count(flying, "drone") + " set off.";
+        }
+        return flying == 1
+                ? "The mission of 1 drone is on board; it is armed and started at its time."
+                : "The missions of " + flying + " drones are on board; each is armed and started at its time.";
     }
 
     static boolean isDue(RunTransition draft, Sortie sortie) {

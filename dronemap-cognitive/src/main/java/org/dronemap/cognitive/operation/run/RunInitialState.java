@@ -38,7 +38,8 @@ final class RunInitialState {
                 null,
                 List.of(),
                 false,
-                null);
+                null,
+                RunState.WORDING);
     }
 
     private static List<RunWaypoint> targets(RunOrder order) {

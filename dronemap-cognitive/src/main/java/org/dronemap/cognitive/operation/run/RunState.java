@@ -27,8 +27,12 @@ import org.jspecify.annotations.Nullable;
  * @param explanations the newest {@value #MOST_EXPLANATIONS}, oldest first
  * @param stopping all are called home
  * @param end how it ended, as a sentence; null: it goes on
+ * @param wording number of the sentences in which it explains itself, which are part of what its journal is compared by;
+ *     null: it began before they had one
  */
-@Stored(names = "id clock setting targets drones counts request causes proposal explanations stopping end")
+@Stored(
+        names = "id clock setting targets drones counts request causes proposal explanations stopping end wording",
+        later = "wording")
 public record RunState(
         OperationId id,
         Clock clock,
@@ -41,8 +45,12 @@ public record RunState(
         @Nullable ReplanProposal proposal,
         List<RunExplanation> explanations,
         boolean stopping,
-        @Nullable String end) {
+        @Nullable String end,
+        @Nullable Integer wording) {
     public static final int MOST_EXPLANATIONS = 50;
+
+    /** Number of the sentences in which a run that begins now explains itself. */
+    public static final int WORDING = 1;
 
     /**
      * Times and deadlines of the run.
@@ -105,6 +113,11 @@ public record RunState(
 
     public static RunState begin(RunOrder order) {
         return RunInitialState.of(order);
+    }
+
+    /** Its journal has the sentences of before they were numbered: a replay comes to these again. */
+    boolean isInFirstWording() {
+        return wording == null;
     }
 
     public boolean isOver() {

@@ -66,6 +66,10 @@ final class RunTransition {
         return now;
     }
 
+    boolean isInFirstWording() {
+        return before.isInFirstWording();
+    }
+
     RunCounters tally() {
         return tally;
     }
@@ -234,7 +238,8 @@ final class RunTransition {
                 proposal,
                 explanations,
                 stopping,
-                end);
+                end,
+                before.wording());
         return next.equals(before) && actions.isEmpty()
                 ? OperationDecision.unchanged(before)
                 : new OperationDecision<>(next, actions, texts.isEmpty() ? null : String.join(" ", texts));
