@@ -35,7 +35,7 @@ record VehicleAnswer(String kind, String text, long millis) {
     /** Beginnings of sentences whose figures are measured ones: the words alone are compared. */
     private static final Pattern MEASURED = Pattern.compile(
             "^(Takeoff |Holding course|Armed AUTO|Triggered AUTO|Flare |Distance from LAND|Landing approach"
-                    + "|Landing glide|VTOL |Transition |Battery 1 is).*");
+                    + "|Landing glide|VTOL |Transition |Battery \\d is).*");
 
     private static final Pattern FIGURE = Pattern.compile("-?\\d+(\\.\\d+)?");
     private static final Pattern DISTANCE = Pattern.compile(" dist \\d+m$");
