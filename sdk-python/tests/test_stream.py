@@ -116,10 +116,10 @@ def test_reader_that_is_closed_ends() -> None:
 
 def test_parts_of_a_state_that_stay_are_read_once() -> None:
     mock = MockTransport()
-    drone = mock._drones[mock.add_drone("alpha", battery={"percent": 80}, gps={"fix": "3D"})]
+    drone = mock._drones[mock.add_drone("alpha", battery={"percent": 80, "further": []}, gps={"fix": "3D"})]
     reader = StateReader()
     first = reader.read(drone)
-    second = reader.read(drone | {"battery": {"percent": 79}, "mode": "RTL", "gps": {"fix": "3D"}})
+    second = reader.read(drone | {"battery": {"percent": 79, "further": []}, "mode": "RTL", "gps": {"fix": "3D"}})
     assert second.gps is first.gps
     assert second.battery is not None and second.battery.percent == 79
     assert (first.mode, second.mode) == ("GUIDED", "RTL")

@@ -11,7 +11,7 @@ from dronemap.testing import MockTransport
 
 
 def test_members_that_a_newer_server_adds_are_left_out(server: Dronemap, mock: MockTransport) -> None:
-    mock.add_drone("alpha", paint="red", battery={"percent": 80, "chemistry": "LiPo"})
+    mock.add_drone("alpha", paint="red", battery={"percent": 80, "further": [], "chemistry": "LiPo"})
     state = server.drone("alpha").state
     assert state.battery is not None
     assert state.battery.percent == 80

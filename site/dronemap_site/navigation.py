@@ -169,6 +169,7 @@ SECTIONS = (
             "bench/README.md",
             "web-client/README.md",
             "dronemap-sim/exchanges/README.md",
+            "dronemap-sim/exchanges/planes.md",
             "docs/moved-tests.md",
             "dronemap-proxy/src/test/resources/org/dronemap/proxy/outlet/what-reaches-vehicles.md",
         ),

@@ -13,6 +13,7 @@ BESIDES = (
     "bench/README.md",
     "dronemap-proxy/src/test/resources/org/dronemap/proxy/outlet/what-reaches-vehicles.md",
     "dronemap-sim/exchanges/README.md",
+    "dronemap-sim/exchanges/planes.md",
     "java-example/README.md",
     "php-soap-proxy/README.md",
     "ros-bridge/README.md",
