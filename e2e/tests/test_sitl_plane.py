@@ -87,6 +87,7 @@ def test_mission_with_a_landing(plane: SitlDrone) -> None:
 
 
 def test_flight_by_commands(plane: SitlDrone) -> None:
+    plane.do(type="setMode", mode="GUIDED")
     plane.becomes_ready()
     plane.upload(
         [{"type": "takeOff", "altitude": FLYING_METRES}, waypoint(NORTH), {"type": "returnToLaunch"}]

@@ -49,8 +49,8 @@ def test_flight_by_commands(quadplane: SitlDrone) -> None:
 
 
 def test_land_by_command(quadplane: SitlDrone) -> None:
-    quadplane.becomes_ready()
     quadplane.do(type="setMode", mode="GUIDED")
+    quadplane.becomes_ready()
     quadplane.do(type="arm")
     quadplane.do(type="takeOff", altitude=CLIMB_METRES)
     quadplane.climbs_to(CLIMB_METRES)
@@ -65,9 +65,9 @@ def test_mission_with_a_landing(quadplane: SitlDrone) -> None:
         waypoint(NORTH),
         {"type": "land", "latitude": place(0, 0).latitude, "longitude": place(0, 0).longitude},
     ]
+    quadplane.do(type="setMode", mode="GUIDED")
     quadplane.becomes_ready()
     quadplane.upload(items)
-    quadplane.do(type="setMode", mode="GUIDED")
     quadplane.do(type="arm")
     quadplane.do(type="startMission")
     quadplane.truly("it climbs", lambda: quadplane.height() > FLYING_METRES / 2, 120)
