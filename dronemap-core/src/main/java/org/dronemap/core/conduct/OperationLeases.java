@@ -1,6 +1,6 @@
 package org.dronemap.core.conduct;
 
-import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -10,7 +10,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Takes and releases control of the drones of one operation; asks once for each drone. Control is asked for once, when
- * a drone comes: whoever takes it afterwards keeps it. Owned by the conductor's thread.
+ * a drone comes: whoever takes it afterwards keeps it. Drones are asked for and released in the order in which the
+ * operation names them, which is the same in each process. Owned by the conductor's thread.
  */
 final class OperationLeases {
     private final DroneGateway crew;
@@ -31,27 +32,27 @@ final class OperationLeases {
                 return Optional.of(new Operations.NoControl(drone, "The drone " + drone + ": " + why.get()));
             }
         }
-        wanted = Set.copyOf(drones);
+        wanted = new LinkedHashSet<>(drones);
         return Optional.empty();
     }
 
     /** Asks for those that were not wanted before; nothing is given back yet. */
     void acquire(Set<DroneId> drones) {
-        Set<DroneId> all = new HashSet<>(wanted);
+        Set<DroneId> all = new LinkedHashSet<>(wanted);
         for (DroneId drone : drones) {
             if (all.add(drone)) {
                 // Whoever has it is seen in the next scene.
                 Optional<String> unused = crew.engage(holder, drone);
             }
         }
-        wanted = Set.copyOf(all);
+        wanted = all;
     }
 
     /** Gives back all others. */
     void retainOnly(Set<DroneId> drones) {
         List<DroneId> others =
                 wanted.stream().filter(drone -> !drones.contains(drone)).toList();
-        wanted = Set.copyOf(drones);
+        wanted = new LinkedHashSet<>(drones);
         release(others);
     }
 

@@ -20,7 +20,10 @@ public interface Operation<S, I> {
     /** So often it looks at its drones. */
     Duration rhythm();
 
-    /** The drones whose control it needs now; what is no longer among them is given back. */
+    /**
+     * The drones whose control it needs now, in an order that hangs on the state alone: they are asked for and given back
+     * in it. What is no longer among them is given back.
+     */
     Set<DroneId> drones(S state);
 
     /** The drones that it looks at, such as those it was parted from: a scene shows these and those that it controls. */

@@ -3,6 +3,7 @@ package org.dronemap.cognitive.operation.follow;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -56,12 +57,12 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
         return all(state)
                 .filter(one -> one.stage().holds())
                 .map(FollowState::drone)
-                .collect(Collectors.toUnmodifiableSet());
+                .collect(Collectors.toCollection(LinkedHashSet::new));
     }
 
     @Override
     public Set<DroneId> watched(FollowState state) {
-        return all(state).map(FollowState::drone).collect(Collectors.toUnmodifiableSet());
+        return all(state).map(FollowState::drone).collect(Collectors.toCollection(LinkedHashSet::new));
     }
 
     /** Itself, and what it remembers of each other drone. */
