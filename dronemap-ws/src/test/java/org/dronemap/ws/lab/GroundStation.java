@@ -46,6 +46,7 @@ public final class GroundStation {
     private static final Duration BETWEEN_BEATS = Duration.ofMillis(500);
     /** On a line where frames overtake one another, most heartbeats come later than what was signed after them. */
     private static final Duration LONGEST = Duration.ofSeconds(60);
+
     private static final Duration LONGEST_ANSWER = Duration.ofSeconds(30);
     private static final Duration OFTEN = Duration.ofMillis(100);
 

@@ -39,6 +39,10 @@ final class Placeholders {
     /** How far a drone of a run is when it is looked at. */
     private static final Pattern STAGE = Pattern.compile("(?<=\"stage\" : \")[a-zA-Z]+");
 
+    /** What these vehicles, which say each thing once, have not said again; on a slow machine that is more. */
+    private static final Pattern OUTDATED =
+            Pattern.compile("(?s)(\"outdated\" : )\\[[^\\]]*]|<outdated>.*?(?=</link>)");
+
     /** Which of them a plan, or an order that nobody has carried out yet, is at first is a matter of luck. */
     private static final Pattern NEW =
             Pattern.compile("(\"(?:state|phase)\" : \"|<state>)(?:(queued|running)|sent|accepted)\\b");
@@ -125,6 +129,8 @@ final class Placeholders {
         shown = NEW.matcher(shown)
                 .replaceAll(found ->
                         found.group(1) + (found.group(2) == null ? "<sent or accepted>" : "<queued or running>"));
+        shown = OUTDATED.matcher(shown)
+                .replaceAll(found -> found.group(1) == null ? "<outdated/>\n" : found.group(1) + "[ ]");
         return timeless(shown);
     }
 
