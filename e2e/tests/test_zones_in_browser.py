@@ -92,7 +92,7 @@ def test_supervisor_draws_imports_and_deletes_zones(
         "geometry": {"type": "Polygon", "coordinates": [ring]},
     }
     file.write_text(json.dumps(lake))
-    page.get_by_label("Import GeoJSON or KML").set_input_files(file)
+    page.get_by_label("Import GeoJSON, KML or KMZ").set_input_files(file)
     station.shows(imported)
 
     for name in (drawn, imported):

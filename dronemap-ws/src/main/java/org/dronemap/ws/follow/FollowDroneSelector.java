@@ -52,7 +52,8 @@ final class FollowDroneSelector {
     record Task(Geodetic near, FollowOrder.RelativePlace place, double minutes) {
         private ServiceDemand demand(@Nullable Wind wind) {
             Altitude height = new Altitude(place.heightMeters(), Altitude.Reference.HOME);
-            MissionItem.Waypoint there = new MissionItem.Waypoint(near, height, minutes * SECONDS);
+            // In whole seconds, as vehicles count the time at a waypoint.
+            MissionItem.Waypoint there = new MissionItem.Waypoint(near, height, Math.ceil(minutes * SECONDS));
             return new ServiceDemand(NEEDS, new VirtualTour(place.heightMeters(), List.of(there), false), 0, wind);
         }
     }

@@ -91,7 +91,7 @@ public final class MissionUpload implements Exchange {
     }
 
     /** {@code known}: the vehicle says of itself that it takes integer items; it is given nothing else. */
-    public MissionUpload takenAsIntegers(boolean known) {
+    public MissionUpload withIntegerItems(boolean known) {
         if (known) {
             form.knowsIntegers();
         }

@@ -101,7 +101,7 @@ final class FenceExchanges {
                 cockpit.target(), kind, new StepProgressObserver(cockpit.observer(), items.size(), steps));
         MissionUpload upload = new MissionUpload(
                         cockpit.target(), kind, items, new StepProgressObserver(cockpit.observer(), 0, steps))
-                .takenAsIntegers(cockpit.status().takesIntegerItems());
+                .withIntegerItems(cockpit.status().knowsIntegerItems());
         return new ExchangeSequence(List.of(
                 ExchangeSequence.Step.of(() -> items.isEmpty() ? new MissionClear(cockpit.target(), kind) : upload),
                 ExchangeSequence.Step.of(() -> readBack),

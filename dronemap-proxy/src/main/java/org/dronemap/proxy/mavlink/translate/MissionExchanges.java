@@ -97,7 +97,7 @@ final class MissionExchanges {
                         wire,
                         span,
                         new StepProgressObserver(cockpit.observer(), 0, steps))
-                .takenAsIntegers(cockpit.status().takesIntegerItems());
+                .withIntegerItems(cockpit.status().knowsIntegerItems());
         last = upload;
         return new ExchangeSequence(List.of(
                 ExchangeSequence.Step.of(() -> upload),

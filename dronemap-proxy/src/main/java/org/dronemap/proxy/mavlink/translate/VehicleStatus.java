@@ -84,7 +84,7 @@ public final class VehicleStatus {
     }
 
     /** By its own word; false also as long as it has said nothing of it. */
-    public boolean takesIntegerItems() {
+    public boolean knowsIntegerItems() {
         AutopilotVersion heard = version;
         return heard != null && (heard.capabilities() & CAPABILITY_MISSION_INT) != 0;
     }
