@@ -127,7 +127,9 @@ def test_replay_of_large_recording(recorded: RecordedDrone) -> None:
         ("/api/v1/zones/import", "application/json", "4 MB"),
     ],
 )
-def test_too_long_upload_is_refused_early(recorded: RecordedDrone, address: str, kind: str, most: str) -> None:
+def test_too_long_upload_is_refused_early(
+    recorded: RecordedDrone, address: str, kind: str, most: str
+) -> None:
     """End to end because the heap is that of a process of its own, and its socket says when it has enough."""
     status, text, sent = _upload(recorded, address, kind)
     assert status == 413
