@@ -214,6 +214,7 @@ class OnBoardFacesTest {
         assertThat(operator.post(path + "/logs/2/download", "").status()).isEqualTo(409);
 
         assertThat(delete("/logs/second/file").status()).isEqualTo(422);
+        assertThat(operator.get(path + "/logs/second/file").status()).isEqualTo(422);
         assertThat(delete("/logs/2/file").status()).isEqualTo(204);
         assertThat(operator.get(path + "/logs/2/file").status()).isEqualTo(409);
     }
