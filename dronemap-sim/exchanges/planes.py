@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import landed_plane_exchanges as landed
 import plane_exchanges as plane
 import quadplane_exchanges as quadplane
 from exchange import Exchange
@@ -27,6 +28,9 @@ PLANE_EXCHANGES: tuple[Exchange, ...] = (
     Exchange("plane_go_around", "DO_GO_AROUND on the approach", plane.go_around, GO_AROUND_ONLY),
     Exchange("plane_land_start", "DO_LAND_START as a command", plane.land_start, GO_AROUND_ONLY),
     Exchange("plane_land_nowhere", "LAND with the place 0/0", plane.land_nowhere),
+    Exchange("plane_landed", "arming after a landing by mission", landed.landed_by_mission),
+    Exchange("plane_landed_cleared", "the same with its mission cleared", landed.landed_and_cleared),
+    Exchange("plane_landed_manual", "the same, and a mode that a pilot flies", landed.landed_and_manual),
     Exchange("plane_rtl_lands", "RTL that goes over to the mission's landing", plane.rtl_lands, {"RTL_AUTOLAND": 1}),
     Exchange(
         "plane_ground_station_lost",

@@ -86,6 +86,16 @@ def test_mission_with_a_landing(plane: SitlDrone) -> None:
     plane.proved("Mission sent, read back the same, cleared")
 
 
+def test_it_flies_again_after_its_mission_landed_it(plane: SitlDrone) -> None:
+    plane.do(type="setMode", mode="GUIDED")
+    sentence = plane.refused(type="arm")
+    assert "change its mode to MANUAL first" in sentence, sentence
+    plane.do(type="setMode", mode="MANUAL")
+    plane.becomes_ready()
+    plane.do(type="arm")
+    plane.do(type="disarm")
+
+
 def test_flight_by_commands(plane: SitlDrone) -> None:
     plane.do(type="setMode", mode="GUIDED")
     plane.becomes_ready()

@@ -31,6 +31,12 @@ final class BasicExchanges {
     private static final int IMAGE_START_CAPTURE = 2000;
     private static final float FORCE = 21196f;
     private static final float CUSTOM_MODE = 1f;
+    /** ArduPlane's word for a mission that has landed it. */
+    private static final String STILL_LANDING = "In landing sequence";
+
+    private static final String FLIES_AGAIN =
+            "Its mission ended with a landing; change its mode to MANUAL first, and then"
+                    + " to the one that it is to fly in.";
     private static final double CLIMBED_METERS = 1;
     private static final Duration TO_ARM = Duration.ofSeconds(5);
     private static final Duration TO_CHANGE_MODE = Duration.ofSeconds(5);
@@ -88,14 +94,13 @@ final class BasicExchanges {
      */
     static Exchange arm(CommandContext cockpit, Capabilities can) {
         String mode = cockpit.status().mode();
-        return can.armingMode(mode)
-                .<Exchange>map(usual -> new ExplainedExchange(
-                        arm(cockpit),
-                        said -> Optional.of(ExplainedExchange.after(
-                                said,
-                                OutcomeCode.MODE_DOES_NOT_ARM,
-                                "It is not armed in " + mode + "; change its mode to " + usual + " first."))))
-                .orElseGet(() -> arm(cockpit));
+        return new ExplainedExchange(arm(cockpit), said -> {
+            Optional<String> wayOut = said.sentence().contains(STILL_LANDING)
+                    ? Optional.of(FLIES_AGAIN)
+                    : can.armingMode(mode)
+                            .map(usual -> "It is not armed in " + mode + "; change its mode to " + usual + " first.");
+            return wayOut.map(sentence -> ExplainedExchange.after(said, OutcomeCode.MODE_DOES_NOT_ARM, sentence));
+        });
     }
 
     static Exchange disarm(CommandContext cockpit, boolean force) {

@@ -7,11 +7,13 @@ import java.util.Random;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiConsumer;
 import org.dronemap.core.command.Outcome;
+import org.dronemap.core.drone.Severity;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.Statustext;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -161,10 +163,17 @@ public final class TestWire {
             letDelayedArrive();
             List<Message> now = List.copyOf(arriving);
             arriving.clear();
-            now.forEach(message -> exchange.received(frame(message), nowNanos));
+            now.forEach(message -> arrives(message, exchange));
             exchange.advance(nowNanos);
         }
         return exchange.outcome();
+    }
+
+    private void arrives(Message message, Exchange exchange) {
+        exchange.received(frame(message), nowNanos);
+        if (message instanceof Statustext said) {
+            exchange.textReceived(Severity.values()[said.severity()], said.text(), nowNanos);
+        }
     }
 
     private void letDelayedArrive() {

@@ -16,6 +16,7 @@ import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.Heartbeat;
 import org.dronemap.mavlink.message.ParamRequestRead;
 import org.dronemap.mavlink.message.ParamValue;
+import org.dronemap.mavlink.message.Statustext;
 import org.dronemap.proxy.mavlink.procedure.TestWire;
 import org.junit.jupiter.api.Test;
 
@@ -24,6 +25,8 @@ class RefusalsWithAWayOutTest {
     private static final int DISARMED = 81;
     private static final int ARMED = 209;
     private static final int RTL = 6;
+    private static final int PLANE_AUTO = 10;
+    private static final int CRITICAL = 2;
     private static final int GUIDED = 4;
     private static final int FAILED = 4;
     private static final int REAL32 = 9;
@@ -73,6 +76,22 @@ class RefusalsWithAWayOutTest {
 
         assertThat(outcome.code()).isEqualTo(OutcomeCode.VEHICLE_FAILED);
         assertThat(outcome.reason()).doesNotContain("mode");
+    }
+
+    @Test
+    void saysHowAPlaneFliesAgainThatItsMissionHasLanded() {
+        AutopilotTestBench bench = new AutopilotTestBench(new Heartbeat(1, 3, 89, PLANE_AUTO, 4, 3));
+        bench.wire.peer((wire, message) -> {
+            if (message instanceof CommandLong) {
+                wire.answer(new Statustext(CRITICAL, "Arm: In landing sequence", 0, 0));
+            }
+            refuse(wire, message);
+        });
+
+        Outcome outcome = bench.perform(new Command.Arm());
+
+        assertThat(outcome.code()).isEqualTo(OutcomeCode.MODE_DOES_NOT_ARM);
+        assertThat(outcome.reason()).contains("In landing sequence", "change its mode to MANUAL first");
     }
 
     @Test

@@ -6,6 +6,7 @@ import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.MissionLegs;
 import org.dronemap.sim.flight.MissionManoeuvre;
 import org.dronemap.sim.flight.SimulatedMission;
+import org.dronemap.sim.flight.SimulatedMissionItem;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -26,6 +27,7 @@ public final class ArduPilotMission {
     private int lastItem;
     private boolean completed;
     private boolean paused;
+    private boolean inLanding;
 
     public ArduPilotMission(SimulatedMission plan, Consumer<FlightEvent> events) {
         this.plan = plan;
@@ -48,8 +50,27 @@ public final class ArduPilotMission {
     private void handle(FlightEvent event) {
         if (event instanceof FlightEvent.MissionEnded) {
             completed = true;
+            inLanding = false;
+        } else if (event instanceof FlightEvent.ItemStarted started) {
+            started(started.index());
         }
         events.accept(event);
+    }
+
+    private void started(int index) {
+        if (isCommand(index, SimulatedMissionItem.LAND)
+                || isCommand(index, SimulatedMissionItem.VTOL_LAND)
+                || isCommand(index, SimulatedMissionItem.LAND_START)) {
+            inLanding = true;
+        } else if (isCommand(index, SimulatedMissionItem.TAKEOFF)
+                || isCommand(index, SimulatedMissionItem.VTOL_TAKEOFF)) {
+            inLanding = false;
+        }
+    }
+
+    /** A landing is the last that it began of its mission, and nothing has ended that since. */
+    public boolean inLanding() {
+        return inLanding;
     }
 
     /** Another mode is chosen: it remembers the item. */
@@ -66,6 +87,7 @@ public final class ArduPilotMission {
     public void reset() {
         flown = null;
         paused = false;
+        inLanding = false;
         resumeItem = 0;
         lastItem = 0;
     }
@@ -79,6 +101,7 @@ public final class ArduPilotMission {
             return false;
         }
         completed = false;
+        inLanding = isCommand(index, SimulatedMissionItem.LAND_START) && inLanding;
         if (flown != null && !flown.ended()) {
             flown.jumpTo(Math.max(1, index));
         } else {
@@ -91,6 +114,9 @@ public final class ArduPilotMission {
     /** Other items are stored. */
     public void changed() {
         completed = false;
+        if (isEmpty()) {
+            flown = null;
+        }
         if (flown == null) {
             resumeItem = 0;
         }
@@ -100,9 +126,9 @@ public final class ArduPilotMission {
         return Math.max(1, resumeItem);
     }
 
-    /** The next start begins with an item of that command. */
+    /** The item that it stands at, or that the next start begins with, is of that command. */
     public boolean startsWith(int command) {
-        return isCommand(firstItem(), command);
+        return flies(command) || (flown == null && isCommand(firstItem(), command));
     }
 
     /** The item that is flown is of that command. */

@@ -380,7 +380,7 @@ public abstract class SimulatedArduPilot implements SimulatedAutopilot {
 
     @Override
     public boolean mayClearMission() {
-        return !flight().mission().isActive();
+        return !craft().armed() || !flight().mission().isActive();
     }
 
     @Override

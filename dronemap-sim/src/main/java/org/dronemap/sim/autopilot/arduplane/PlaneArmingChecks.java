@@ -46,7 +46,7 @@ final class PlaneArmingChecks extends ArmingChecks {
                 && parameters.value("RTL_AUTOLAND") == 0) {
             found.add("DO_LAND_START set and RTL_AUTOLAND disabled");
         }
-        if (flight.landed()) {
+        if (flight.staysInLanding()) {
             found.add("In landing sequence");
         }
         return found;

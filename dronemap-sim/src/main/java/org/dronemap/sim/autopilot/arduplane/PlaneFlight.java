@@ -83,6 +83,9 @@ final class PlaneFlight implements ArduPilotFlight {
         if (mode == PlaneMode.RTL && craft.armed() && manoeuvre instanceof Circle circle) {
             landAfterReturn(circle);
         }
+        if (mode == PlaneMode.AUTO && mission.flown() == null) {
+            next = PlaneMode.RTL;
+        }
         reportPlace();
         reportReached();
         if (next != null) {
@@ -157,6 +160,10 @@ final class PlaneFlight implements ArduPilotFlight {
         }
         mode = chosen;
         guided = null;
+        if (mission.inLanding() && !craft.armed() && !flies() && !chosen.needsPosition()) {
+            sendText(TextSeverity.INFO, "In landing sequence: mission reset");
+            mission.reset();
+        }
         readSpeeds();
         manoeuvre = switch (chosen) {
             case AUTO -> startMission();
@@ -201,6 +208,9 @@ final class PlaneFlight implements ArduPilotFlight {
 
     /** A landing that is left is begun from its approach the next time. */
     private void leaveMission() {
+        if (mission.flown() == null) {
+            sendText(TextSeverity.INFO, "Aircraft in auto without a running mission");
+        }
         boolean landing = mission.flies(SimulatedMissionItem.LAND) && landing() != null;
         int index = mission.currentItem();
         mission.leave();
@@ -282,10 +292,12 @@ final class PlaneFlight implements ArduPilotFlight {
         }
     }
 
-    /** It stands where it has landed by its mission, which it goes on with until another mode is chosen. */
-    boolean landed() {
-        PlaneLanding landing = landing();
-        return landing != null && landing.flared() && !craft.armed();
+    /** Its mission landed it, and what comes next of that is no take-off. */
+    boolean staysInLanding() {
+        return mission.inLanding()
+                && !craft.armed()
+                && !mission.startsWith(SimulatedMissionItem.TAKEOFF)
+                && !mission.startsWith(SimulatedMissionItem.VTOL_TAKEOFF);
     }
 
     /** Its lift motors; null when it has none. */
