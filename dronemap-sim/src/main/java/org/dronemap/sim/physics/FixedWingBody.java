@@ -4,8 +4,7 @@ package org.dronemap.sim.physics;
  * The flight physics of one simulated aeroplane: it is never slower than its wings bear, turns by banking, and rolls on
  * the ground. Owned by its vehicle.
  */
-public final class FixedWingBody implements VehicleBody {
-    private static final double GRAVITY = 9.80665;
+public final class FixedWingBody extends FlyingBody {
     /** As of the ArduPlane that was recorded: its run, its climb with full power, and its change of speed in flight. */
     private static final double RUN_ACCELERATION = 6.9;
 
@@ -28,38 +27,16 @@ public final class FixedWingBody implements VehicleBody {
     private static final double VERTICAL_ACCELERATION = 5;
     private static final double THRUST_SHARE_OF_CLIMB = 0.06;
 
-    private double north;
-    private double east;
-    private double up;
     private double airspeed;
-    private double velocityNorth;
-    private double velocityEast;
-    private double velocityUp;
-    private double roll;
-    private double pitch;
-    private double yaw;
-    private double rollRate;
-    private double pitchRate;
-    private double yawRate;
-    private double thrust;
-    private double impactSpeed;
 
     public FixedWingBody(double yaw) {
-        this.yaw = yaw;
+        super(yaw);
     }
 
-    /** Goes on from where another body is, such as one that was lifted by motors. */
+    @Override
     void continueFrom(VehicleBody other) {
-        north = other.position().north();
-        east = other.position().east();
-        up = other.up();
-        velocityNorth = other.velocityNorth();
-        velocityEast = other.velocityEast();
-        velocityUp = other.velocityUp();
-        airspeed = (velocityNorth * Math.cos(other.yaw()) + velocityEast * Math.sin(other.yaw())) / TRUE_SPEED;
-        roll = other.roll();
-        pitch = other.pitch();
-        yaw = other.yaw();
+        super.continueFrom(other);
+        airspeed = (velocityNorth * Math.cos(yaw) + velocityEast * Math.sin(yaw)) / TRUE_SPEED;
     }
 
     @Override
@@ -142,15 +119,6 @@ public final class FixedWingBody implements VehicleBody {
         pitchRate = 0;
     }
 
-    private static double clamp(double value, double limit) {
-        return Math.max(-limit, Math.min(limit, value));
-    }
-
-    @Override
-    public NeuPosition position() {
-        return new NeuPosition(north, east, up);
-    }
-
     /** It cannot stop: where it is. */
     @Override
     public NeuPosition stoppingPoint() {
@@ -163,72 +131,7 @@ public final class FixedWingBody implements VehicleBody {
     }
 
     @Override
-    public double up() {
-        return up;
-    }
-
-    @Override
-    public double velocityNorth() {
-        return velocityNorth;
-    }
-
-    @Override
-    public double velocityEast() {
-        return velocityEast;
-    }
-
-    @Override
-    public double velocityUp() {
-        return velocityUp;
-    }
-
-    @Override
-    public double groundSpeed() {
-        return Math.hypot(velocityNorth, velocityEast);
-    }
-
-    @Override
     public double airSpeed(WindModel wind) {
         return airspeed;
-    }
-
-    @Override
-    public double roll() {
-        return roll;
-    }
-
-    @Override
-    public double pitch() {
-        return pitch;
-    }
-
-    @Override
-    public double yaw() {
-        return yaw;
-    }
-
-    @Override
-    public double rollRate() {
-        return rollRate;
-    }
-
-    @Override
-    public double pitchRate() {
-        return pitchRate;
-    }
-
-    @Override
-    public double yawRate() {
-        return yawRate;
-    }
-
-    @Override
-    public double thrust() {
-        return thrust;
-    }
-
-    @Override
-    public double impactSpeed() {
-        return impactSpeed;
     }
 }

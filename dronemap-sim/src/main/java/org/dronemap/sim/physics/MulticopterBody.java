@@ -6,47 +6,19 @@ import org.jspecify.annotations.Nullable;
  * The flight physics of one simulated multicopter: position, velocity and attitude, moved in small steps. Owned by its
  * vehicle.
  */
-public final class MulticopterBody implements VehicleBody {
+public final class MulticopterBody extends FlyingBody {
     private static final double CLEAR_METERS = 0.05;
-    private static final double GRAVITY = 9.80665;
     private static final double POSITION_GAIN = 1.0;
     private static final double ATTITUDE_SECONDS = 0.15;
     private static final double TUMBLE_ROLL = Math.toRadians(65);
 
     private final Airframe airframe;
-    private double north;
-    private double east;
-    private double up;
     private double ground;
-    private double velocityNorth;
-    private double velocityEast;
-    private double velocityUp;
-    private double roll;
-    private double pitch;
-    private double yaw;
-    private double rollRate;
-    private double pitchRate;
-    private double yawRate;
-    private double thrust;
-    private double impactSpeed;
     private @Nullable MovingTargetController chaser;
 
     public MulticopterBody(Airframe airframe, double yaw) {
+        super(yaw);
         this.airframe = airframe;
-        this.yaw = yaw;
-    }
-
-    /** Goes on from where another body is, such as one that its wings bore. */
-    void continueFrom(VehicleBody other) {
-        north = other.position().north();
-        east = other.position().east();
-        up = other.up();
-        velocityNorth = other.velocityNorth();
-        velocityEast = other.velocityEast();
-        velocityUp = other.velocityUp();
-        roll = other.roll();
-        pitch = other.pitch();
-        yaw = other.yaw();
     }
 
     @Override
@@ -247,15 +219,6 @@ public final class MulticopterBody implements VehicleBody {
         velocityEast = 0;
     }
 
-    private static double clamp(double value, double limit) {
-        return Math.max(-limit, Math.min(limit, value));
-    }
-
-    @Override
-    public NeuPosition position() {
-        return new NeuPosition(north, east, up);
-    }
-
     @Override
     public NeuPosition stoppingPoint() {
         double speed = groundSpeed();
@@ -271,73 +234,7 @@ public final class MulticopterBody implements VehicleBody {
     }
 
     @Override
-    public double up() {
-        return up;
-    }
-
-    @Override
-    public double velocityNorth() {
-        return velocityNorth;
-    }
-
-    @Override
-    public double velocityEast() {
-        return velocityEast;
-    }
-
-    @Override
-    public double velocityUp() {
-        return velocityUp;
-    }
-
-    @Override
-    public double groundSpeed() {
-        return Math.hypot(velocityNorth, velocityEast);
-    }
-
-    @Override
     public double airSpeed(WindModel wind) {
         return up > ground + CLEAR_METERS ? Math.hypot(velocityNorth - wind.north(), velocityEast - wind.east()) : 0;
-    }
-
-    @Override
-    public double roll() {
-        return roll;
-    }
-
-    @Override
-    public double pitch() {
-        return pitch;
-    }
-
-    @Override
-    public double yaw() {
-        return yaw;
-    }
-
-    @Override
-    public double rollRate() {
-        return rollRate;
-    }
-
-    @Override
-    public double pitchRate() {
-        return pitchRate;
-    }
-
-    @Override
-    public double yawRate() {
-        return yawRate;
-    }
-
-    /** Share of the hovering thrust. */
-    @Override
-    public double thrust() {
-        return thrust;
-    }
-
-    @Override
-    public double impactSpeed() {
-        return impactSpeed;
     }
 }

@@ -29,12 +29,7 @@ enum CopterMode implements ArduPilotMode {
     }
 
     static @Nullable CopterMode of(long number) {
-        for (CopterMode mode : values()) {
-            if (mode.number == number) {
-                return mode;
-            }
-        }
-        return null;
+        return ArduPilotMode.withNumber(values(), number);
     }
 
     @Override

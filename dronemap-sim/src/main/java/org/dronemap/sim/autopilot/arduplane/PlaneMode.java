@@ -40,12 +40,7 @@ enum PlaneMode implements ArduPilotMode {
     }
 
     static @Nullable PlaneMode of(long number) {
-        for (PlaneMode mode : values()) {
-            if (mode.number == number) {
-                return mode;
-            }
-        }
-        return null;
+        return ArduPilotMode.withNumber(values(), number);
     }
 
     @Override

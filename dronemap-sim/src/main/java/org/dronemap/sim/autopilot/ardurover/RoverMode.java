@@ -29,12 +29,7 @@ enum RoverMode implements ArduPilotMode {
     }
 
     static @Nullable RoverMode of(long number) {
-        for (RoverMode mode : values()) {
-            if (mode.number == number) {
-                return mode;
-            }
-        }
-        return null;
+        return ArduPilotMode.withNumber(values(), number);
     }
 
     @Override
