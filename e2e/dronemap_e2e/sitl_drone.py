@@ -15,6 +15,8 @@ from .waiting import wait_for
 HOME = (47.3977, 8.5456, 488.0)
 READY_SECONDS = 120
 FLIGHT_SECONDS = 240
+# Nothing that is flown here leaves it.
+FENCE_METRES = 3000
 
 
 class SitlDrone:
@@ -49,6 +51,44 @@ class SitlDrone:
             return str(said["outcome"]["reason"])
         assert answer.status_code in (409, 422), answer.text
         return str(said["detail"])
+
+    def cannot(self, job: str, word: str, **body: Any) -> None:
+        """It is refused in a sentence with that word, and the table says so."""
+        sentence = self.refused(**body)
+        assert word in sentence.lower(), sentence
+        self.proved(job, "no")
+
+    def keeps_on_board(self, parameter: tuple[str, float], point: Point) -> None:
+        """What it stores, each read back by the server: a parameter, a rally point, a fence, and its logs."""
+        self.do(type="readParameters")
+        self.keep(f"parameters/{parameter[0]}", {"value": parameter[1]})
+        self.proved("Parameters")
+        self.keep("rally-points", {"points": [_where(point)]})
+        self.proved("Rally points")
+        around = {"type": "circle", "inside": True, "radius": FENCE_METRES, "center": _home()}
+        self.keep("fence", {"zones": [around]})
+        self.proved("Fence on board")
+        self.do(type="readLogs")
+        self.proved("Flight logs")
+        self.do(type="takePicture")
+        self.do(type="setRelay", relay=0, setting="on")
+        self.proved("Picture, relay")
+
+    def moves_home(self) -> None:
+        """A metre north, above the sea, and back."""
+        moved = place(1, 0)
+        for point in (moved, place(0, 0)):
+            where = {"latitude": point.latitude, "longitude": point.longitude}
+            self.do(type="setHome", **where, altitude=HOME[2], altitudeReference="amsl")
+            self.has_home(point)
+        self.proved("Home moved")
+
+    def has_home(self, point: Point) -> None:
+        def is_there(drone: Json) -> bool:
+            home = drone["home"]
+            return point.metres_to(home["latitude"], home["longitude"]) < 0.2
+
+        self.until("its home is there", is_there, 20)
 
     def until(self, what: str, look: Callable[[Json], object], seconds: float = FLIGHT_SECONDS) -> Json:
         """The state once that is so of it."""
@@ -161,14 +201,24 @@ def place(north: float, east: float, altitude: float = 0.0) -> Point:
 
 
 def waypoint(point: Point, **more: Any) -> Json:
-    where = {"latitude": point.latitude, "longitude": point.longitude, "altitude": point.altitude}
-    return {"type": "waypoint", **where, **more}
+    return {"type": "waypoint", **_where(point), **more}
+
+
+def look_at(point: Point) -> Json:
+    return {"type": "lookAt", **_where(point), "altitude": 0}
+
+
+def land_at(point: Point) -> Json:
+    return {"type": "land", "latitude": point.latitude, "longitude": point.longitude}
 
 
 def go_to(point: Point) -> Json:
-    return {
-        "type": "goTo",
-        "latitude": point.latitude,
-        "longitude": point.longitude,
-        "altitude": point.altitude,
-    }
+    return {"type": "goTo", **_where(point)}
+
+
+def _where(point: Point) -> Json:
+    return {"latitude": point.latitude, "longitude": point.longitude, "altitude": point.altitude}
+
+
+def _home() -> Json:
+    return {"latitude": HOME[0], "longitude": HOME[1]}

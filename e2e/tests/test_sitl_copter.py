@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pytest
 
 from dronemap_e2e import sitl
-from dronemap_e2e.sitl_drone import Column, SitlDrone, go_to, place, sitl_drone, waypoint
+from dronemap_e2e.sitl_drone import Column, SitlDrone, go_to, look_at, place, sitl_drone, waypoint
 
 pytestmark = [
     pytest.mark.soak,
@@ -14,7 +14,6 @@ pytestmark = [
 FLYING_METRES = 12.0
 NEAR = place(30, 0, FLYING_METRES)
 FAR = place(60, 30, FLYING_METRES)
-HOME_MOVED = place(1, 1)
 
 
 @pytest.fixture(scope="module")
@@ -69,9 +68,6 @@ def test_flight_by_commands(flying: SitlDrone) -> None:
     flying.do(type="hold")
     assert flying.state()["mode"] == "BRAKE"
     flying.proved("Hold")
-    flying.do(type="takePicture")
-    flying.do(type="setRelay", relay=0, setting="on")
-    flying.proved("Picture, relay")
     flying.do(type="returnToLaunch")
     flying.is_down()
     assert flying.away(place(0, 0)) < 3
@@ -90,7 +86,7 @@ def test_speed_is_changed(flying: SitlDrone) -> None:
 def test_mission_with_every_task(copter: SitlDrone) -> None:
     items = [
         {"type": "takeOff", "altitude": FLYING_METRES},
-        {"type": "lookAt", "latitude": NEAR.latitude, "longitude": NEAR.longitude, "altitude": 0},
+        look_at(NEAR),
         waypoint(NEAR, holdSeconds=3),
         {"type": "takePhoto"},
         {"type": "setServo", "output": 9, "pulse": 1500},
@@ -166,18 +162,5 @@ def test_land_by_command(flying: SitlDrone) -> None:
 
 
 def test_what_is_kept_on_board(copter: SitlDrone) -> None:
-    copter.do(type="readParameters")
-    copter.keep("parameters/RTL_ALT", {"value": 2000})
-    copter.proved("Parameters")
-    copter.keep(
-        "rally-points",
-        {"points": [{"latitude": NEAR.latitude, "longitude": NEAR.longitude, "altitude": 20}]},
-    )
-    copter.proved("Rally points")
-    home = {"latitude": place(0, 0).latitude, "longitude": place(0, 0).longitude}
-    copter.keep("fence", {"zones": [{"type": "circle", "inside": True, "radius": 100, "center": home}]})
-    copter.proved("Fence on board")
-    copter.do(type="readLogs")
-    copter.proved("Flight logs")
-    copter.do(type="setHome", latitude=HOME_MOVED.latitude, longitude=HOME_MOVED.longitude, altitude=488)
-    copter.proved("Home moved")
+    copter.keeps_on_board(("RTL_ALT", 2000), NEAR)
+    copter.moves_home()

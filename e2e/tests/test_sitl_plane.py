@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pytest
 
 from dronemap_e2e import sitl
-from dronemap_e2e.sitl_drone import Column, SitlDrone, go_to, place, sitl_drone, waypoint
+from dronemap_e2e.sitl_drone import Column, SitlDrone, go_to, land_at, look_at, place, sitl_drone, waypoint
 
 pytestmark = [
     pytest.mark.soak,
@@ -17,6 +17,8 @@ EAST = place(600, 500, FLYING_METRES)
 ROUND_METRES = 150.0
 RUNWAY = place(0, 0)
 RUNWAY_METRES = 150.0
+# It returns to the nearest of these and of home.
+RALLY_POINT = place(0, 50, FLYING_METRES)
 
 
 @pytest.fixture(scope="module")
@@ -36,12 +38,10 @@ def test_once_it_says_that_it_is_ready_it_arms(plane: SitlDrone) -> None:
 
 
 def test_what_it_cannot_says_how_it_can(plane: SitlDrone) -> None:
-    for body in ({"type": "takeOff", "altitude": 30}, {"type": "land"}):
-        sentence = plane.refused(**body)
-        assert "mission" in sentence, sentence
-    plane.proved("Take off", "by mission")
-    plane.proved("Land", "by mission")
-    plane.proved("Turn on the spot", "no")
+    for job, body in (("Take off", {"type": "takeOff", "altitude": 30}), ("Land", {"type": "land"})):
+        plane.cannot(job, "mission", **body)
+        plane.proved(job, "by mission")
+    plane.cannot("Turn on the spot", "turn", type="turn", degrees=90)
 
 
 def test_landing_nowhere_and_holds_are_refused_before_anything_is_sent(plane: SitlDrone) -> None:
@@ -49,9 +49,14 @@ def test_landing_nowhere_and_holds_are_refused_before_anything_is_sent(plane: Si
     climb = {"type": "takeOff", "altitude": FLYING_METRES}
     sentence = plane.refused(type="uploadMission", items=[climb, waypoint(NORTH), {"type": "land"}])
     assert "latitude" in sentence or "place" in sentence, sentence
-    sentence = plane.refused(type="uploadMission", items=[climb, waypoint(NORTH, holdSeconds=5)])
-    assert "holdSeconds" in sentence, sentence
+    holds = [climb, waypoint(NORTH, holdSeconds=5)]
+    plane.cannot("Mission: waypoint that holds", "holdseconds", type="uploadMission", items=holds)
     assert plane.state()["mission"]["items"] == before
+
+
+def test_what_is_kept_on_board(plane: SitlDrone) -> None:
+    plane.keeps_on_board(("WP_RADIUS", 80), RALLY_POINT)
+    plane.moves_home()
 
 
 def test_mission_with_a_landing(plane: SitlDrone) -> None:
@@ -60,10 +65,10 @@ def test_mission_with_a_landing(plane: SitlDrone) -> None:
         waypoint(NORTH),
         {"type": "takePhoto"},
         {"type": "setServo", "output": 9, "pulse": 1500},
-        {"type": "lookAt", "latitude": NORTH.latitude, "longitude": NORTH.longitude, "altitude": 0},
+        look_at(NORTH),
         waypoint(EAST),
         {"type": "lookAhead"},
-        {"type": "land", "latitude": RUNWAY.latitude, "longitude": RUNWAY.longitude},
+        land_at(RUNWAY),
     ]
     plane.becomes_ready()
     plane.upload(items)
@@ -81,6 +86,7 @@ def test_mission_with_a_landing(plane: SitlDrone) -> None:
     assert plane.nearest(EAST) < ROUND_METRES
     plane.proved("Mission: land")
     plane.proved("Mission: look at a place, look ahead")
+    plane.proved("Mission: wait, photo, servo", "photo, servo")
     plane.proved("Mission paused and continued")
     plane.do(type="clearMission")
     plane.proved("Mission sent, read back the same, cleared")
@@ -116,6 +122,10 @@ def test_flight_by_commands(plane: SitlDrone) -> None:
     plane.proved("Hold", "circles")
     plane.do(type="setMode", mode="CIRCLE")
     plane.proved("Change the mode")
+    plane.do(type="startMission")
+    plane.until("its mission sends it home", lambda d: d["mode"] == "RTL")
+    plane.proved("Mission: return home", "circles there")
+    plane.do(type="hold")
     plane.do(type="returnToLaunch")
     plane.comes_to(RUNWAY, ROUND_METRES)
     plane.proved("Return home", "circles there")

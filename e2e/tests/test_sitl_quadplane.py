@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pytest
 
 from dronemap_e2e import sitl
-from dronemap_e2e.sitl_drone import Column, SitlDrone, go_to, place, sitl_drone, waypoint
+from dronemap_e2e.sitl_drone import Column, SitlDrone, go_to, land_at, look_at, place, sitl_drone, waypoint
 
 pytestmark = [
     pytest.mark.soak,
@@ -14,6 +14,7 @@ pytestmark = [
 CLIMB_METRES = 15.0
 FLYING_METRES = 40.0
 NORTH = place(300, 0, FLYING_METRES)
+FAR = place(1500, 0, FLYING_METRES)
 ROUND_METRES = 120.0
 LANDED_METRES = 15.0
 
@@ -39,6 +40,10 @@ def test_flight_by_commands(quadplane: SitlDrone) -> None:
     quadplane.do(**go_to(NORTH))
     quadplane.comes_to(NORTH, ROUND_METRES)
     quadplane.proved("Go to a place")
+    quadplane.do(**go_to(FAR))
+    quadplane.do(type="changeSpeed", metersPerSecond=14)
+    quadplane.until("it flies as slowly as told", lambda d: 12 < d["motion"]["airSpeed"] < 16, 40)
+    quadplane.proved("Change speed")
     quadplane.do(type="hold")
     assert quadplane.state()["mode"] == "QLOITER"
     quadplane.proved("Hold")
@@ -62,8 +67,12 @@ def test_land_by_command(quadplane: SitlDrone) -> None:
 def test_mission_with_a_landing(quadplane: SitlDrone) -> None:
     items = [
         {"type": "takeOff", "altitude": FLYING_METRES},
+        look_at(NORTH),
         waypoint(NORTH),
-        {"type": "land", "latitude": place(0, 0).latitude, "longitude": place(0, 0).longitude},
+        {"type": "takePhoto"},
+        {"type": "setServo", "output": 9, "pulse": 1500},
+        {"type": "lookAhead"},
+        land_at(place(0, 0)),
     ]
     quadplane.do(type="setMode", mode="GUIDED")
     quadplane.becomes_ready()
@@ -72,9 +81,40 @@ def test_mission_with_a_landing(quadplane: SitlDrone) -> None:
     quadplane.do(type="startMission")
     quadplane.truly("it climbs", lambda: quadplane.height() > FLYING_METRES / 2, 120)
     quadplane.proved("Mission: take off")
+    quadplane.do(type="pauseMission")
+    quadplane.until("it stays", lambda d: d["mode"] == "QLOITER", 30)
+    quadplane.do(type="startMission")
     quadplane.is_down()
     assert quadplane.away(place(0, 0)) < LANDED_METRES
     assert quadplane.nearest(NORTH) < ROUND_METRES
     quadplane.proved("Mission: land")
+    quadplane.proved("Mission: look at a place, look ahead")
+    quadplane.proved("Mission: wait, photo, servo", "photo, servo")
+    quadplane.proved("Mission paused and continued")
     quadplane.do(type="clearMission")
     quadplane.proved("Mission sent, read back the same, cleared")
+
+
+def test_mission_that_returns(quadplane: SitlDrone) -> None:
+    quadplane.upload(
+        [{"type": "takeOff", "altitude": FLYING_METRES}, waypoint(NORTH), {"type": "returnToLaunch"}]
+    )
+    quadplane.do(type="setMode", mode="GUIDED")
+    quadplane.becomes_ready()
+    quadplane.do(type="arm")
+    quadplane.do(type="startMission")
+    quadplane.until("its mission sends it home", lambda d: d["mode"] == "RTL")
+    quadplane.proved("Mission: return home", "circles there")
+    quadplane.do(type="returnToLaunch")
+    quadplane.is_down()
+
+
+def test_what_it_cannot_is_said(quadplane: SitlDrone) -> None:
+    quadplane.cannot("Turn on the spot", "turn", type="turn", degrees=90)
+    holds = [{"type": "takeOff", "altitude": FLYING_METRES}, waypoint(NORTH, holdSeconds=5)]
+    quadplane.cannot("Mission: waypoint that holds", "holdseconds", type="uploadMission", items=holds)
+
+
+def test_what_is_kept_on_board(quadplane: SitlDrone) -> None:
+    quadplane.keeps_on_board(("WP_RADIUS", 80), NORTH)
+    quadplane.moves_home()

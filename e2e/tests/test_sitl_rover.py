@@ -5,7 +5,7 @@ from collections.abc import Iterator
 import pytest
 
 from dronemap_e2e import sitl
-from dronemap_e2e.sitl_drone import Column, SitlDrone, go_to, place, sitl_drone, waypoint
+from dronemap_e2e.sitl_drone import Column, SitlDrone, go_to, look_at, place, sitl_drone, waypoint
 
 pytestmark = [
     pytest.mark.soak,
@@ -64,42 +64,29 @@ def test_drive_by_commands(driving: SitlDrone) -> None:
 
 def test_it_never_flies_whatever_its_height(driving: SitlDrone) -> None:
     """Its home is set five metres below it, as a drift of height makes it."""
-    here = place(0, 0)
-    driving.do(
-        type="setHome",
-        latitude=here.latitude,
-        longitude=here.longitude,
-        altitude=483,
-        altitudeReference="amsl",
-    )
+    here = {"latitude": place(0, 0).latitude, "longitude": place(0, 0).longitude}
+    driving.do(type="setHome", **here, altitude=483, altitudeReference="amsl")
     driving.until("its height has followed", lambda d: d["position"]["altitudeAboveHome"] > 3, 20)
     assert driving.state()["flight"] != "inAir"
     driving.do(type="disarm")
-    driving.do(
-        type="setHome",
-        latitude=here.latitude,
-        longitude=here.longitude,
-        altitude=488,
-        altitudeReference="amsl",
-    )
-    driving.proved("Home moved")
+    driving.moves_home()
     driving.do(type="arm")
 
 
 def test_what_it_cannot_is_said(rover: SitlDrone) -> None:
-    for body in ({"type": "takeOff", "altitude": 10}, {"type": "land"}):
-        assert "rover" in rover.refused(**body).lower()
-    rover.proved("Take off", "no")
-    rover.proved("Land", "no")
-    sentence = rover.refused(type="uploadMission", items=[waypoint(NEAR), {"type": "land"}])
-    assert "land" in sentence.lower() and "2" in sentence, sentence
+    rover.cannot("Take off", "rover", type="takeOff", altitude=10)
+    rover.cannot("Land", "rover", type="land")
+    rover.cannot("Turn on the spot", "rover", type="turn", degrees=90)
+    rover.cannot("Mission: land", "item 2", type="uploadMission", items=[waypoint(NEAR), {"type": "land"}])
+    climb = {"type": "takeOff", "altitude": 5}
+    rover.cannot("Mission: take off", "item 1", type="uploadMission", items=[climb, waypoint(NEAR)])
 
 
 def test_mission_paused_goes_on_where_it_was(rover: SitlDrone) -> None:
     way = [place(25, east) for east in (0, 25, 50)]
     items = [
         *map(waypoint, way),
-        {"type": "lookAt", "latitude": NEAR.latitude, "longitude": NEAR.longitude, "altitude": 0},
+        look_at(NEAR),
         {"type": "takePhoto"},
         {"type": "setServo", "output": 9, "pulse": 1500},
         {"type": "lookAhead"},
@@ -127,20 +114,22 @@ def test_mission_paused_goes_on_where_it_was(rover: SitlDrone) -> None:
     rover.proved("Mission sent, read back the same, cleared")
 
 
+def test_mission_that_returns(rover: SitlDrone) -> None:
+    rover.becomes_ready()
+    rover.upload([waypoint(NEAR), {"type": "wait", "holdSeconds": 2}, {"type": "returnToLaunch"}])
+    rover.do(type="setMode", mode="GUIDED")
+    rover.do(type="arm")
+    begun = len(rover.autopilot.ground_truth.track())
+    rover.do(type="startMission")
+    rover.until("it goes home", lambda d: d["mode"] == "RTL" or not d["mission"]["running"])
+    rover.comes_to(place(0, 0), REACHED_METRES)
+    since = rover.autopilot.ground_truth.track()[begun:]
+    assert min(NEAR.metres_to(*fix[:2]) for fix in since) < REACHED_METRES
+    rover.proved("Mission: wait, photo, servo")
+    rover.proved("Mission: return home")
+    rover.do(type="hold")
+    rover.do(type="disarm")
+
+
 def test_what_is_kept_on_board(rover: SitlDrone) -> None:
-    rover.do(type="readParameters")
-    rover.keep("parameters/CRUISE_SPEED", {"value": 4})
-    rover.proved("Parameters")
-    rover.keep(
-        "rally-points",
-        {"points": [{"latitude": NEAR.latitude, "longitude": NEAR.longitude, "altitude": 0}]},
-    )
-    rover.proved("Rally points")
-    home = {"latitude": place(0, 0).latitude, "longitude": place(0, 0).longitude}
-    rover.keep("fence", {"zones": [{"type": "circle", "inside": True, "radius": 200, "center": home}]})
-    rover.proved("Fence on board")
-    rover.do(type="readLogs")
-    rover.proved("Flight logs")
-    rover.do(type="takePicture")
-    rover.do(type="setRelay", relay=0, setting="on")
-    rover.proved("Picture, relay")
+    rover.keeps_on_board(("CRUISE_SPEED", 4), NEAR)
