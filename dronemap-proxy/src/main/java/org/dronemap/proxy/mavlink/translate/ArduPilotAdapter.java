@@ -311,7 +311,11 @@ final class ArduPilotAdapter implements AutopilotAdapter {
                 ExchangeSequence.Step.of(() -> new MissionExchanges(cockpit, HOME_ITEMS)
                         .inAnyOrder()
                         .uploadInParts(
-                                mission, MissionCodec.toWire(mission, cockpit.target(), cockpit.status(), form())))));
+                                mission, MissionCodec.toWire(mission, cockpit.target(), cockpit.status(), form()))),
+                // In the air nothing is to wait for that; its start tells it then.
+                ExchangeSequence.Step.when(
+                        () -> !cockpit.status().armed(),
+                        () -> new ExchangeSequence(OwnFenceExchanges.warn(cockpit)))));
     }
 
     private MissionCodec.Form form() {
