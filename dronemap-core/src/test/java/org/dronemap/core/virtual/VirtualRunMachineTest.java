@@ -13,6 +13,7 @@ import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
+import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
@@ -52,6 +53,44 @@ class VirtualRunMachineTest {
         drone.airborne = false;
         assertThat(step(null).release()).isEqualTo(VirtualRunStep.Release.FREE);
         assertThat(run.stage()).isEqualTo(VirtualRunStage.DONE);
+    }
+
+    /** It would drift away without its motors. */
+    @Test
+    void leavesABoatAtHomeArmedAndSaysSo() {
+        drone.kind = VehicleKind.BOAT;
+        returning();
+        still = Duration.ofSeconds(3);
+
+        assertThat(step(null).release()).isEqualTo(VirtualRunStep.Release.FREE);
+        assertThat(run.stage()).isEqualTo(VirtualRunStage.DONE);
+        assertThat(run.note())
+                .isEqualTo("Done: all waypoints are flown. The drone holds its place at home, armed. Nobody controls it"
+                        + " now.");
+    }
+
+    @Test
+    void disarmsARoverOnceAtHomeAndAgainOnlyAfterAWhile() {
+        drone.kind = VehicleKind.ROVER;
+        returning();
+        assertThat(sent(null)).isNull();
+        still = Duration.ofSeconds(3);
+
+        assertThat(sent(null)).isEqualTo(new Command.Disarm(false));
+        assertThat(sent(null)).isNull();
+    }
+
+    private void returning() {
+        run = VirtualFixtures.asked(3).bound(VirtualFixtures.choiceOf("d1"), null, now);
+        sent(null);
+        sent(new Outcome.Succeeded());
+        drone.armed = true;
+        sent(new Outcome.Succeeded());
+        drone.flies().carries(share(), 0);
+        sent(new Outcome.Succeeded());
+        drone.carries(share(), 3, 0, 1, 2);
+        sent(null);
+        assertThat(run.stage()).isEqualTo(VirtualRunStage.RETURNING);
     }
 
     @Test
