@@ -82,13 +82,14 @@ class VirtualRunMachineTest {
 
     private void returning() {
         run = VirtualFixtures.asked(3).bound(VirtualFixtures.choiceOf("d1"), null, now);
+        VirtualTourSection driven = run.tour().share(0, null);
         sent(null);
         sent(new Outcome.Succeeded());
         drone.armed = true;
         sent(new Outcome.Succeeded());
-        drone.flies().carries(share(), 0);
+        drone.flies().carries(driven, 0);
         sent(new Outcome.Succeeded());
-        drone.carries(share(), 3, 0, 1, 2);
+        drone.carries(driven, 3, 0, 1, 2);
         sent(null);
         assertThat(run.stage()).isEqualTo(VirtualRunStage.RETURNING);
     }
