@@ -187,14 +187,16 @@ public final class VirtualRunMachine {
                     run.to(RETURNING, "All waypoints are flown; the drone comes back.", sight.now()));
         }
         if (Boolean.FALSE.equals(drone.armed())) {
-            return replace(run, assignment, "The drone came down before the end.", sight, FREE);
+            boolean drives = drone.identification().kind().neverFlies();
+            String why = drives ? "The drone was disarmed before the end." : "The drone came down before the end.";
+            return replace(run, assignment, why, sight, FREE);
         }
         if (share(run, assignment).isOnBoard(drone.mission()).equals(Optional.of(false))) {
             return giveUp(run, "The drone carries another mission now; it is called home.", sight);
         }
         Optional<Steering> steering = drone.capabilities().steering(drone.mode());
         if (drone.capabilities().isSafe(drone.mode())) {
-            return replace(run, assignment, "The drone went home or down by itself.", sight, FREE);
+            return replace(run, assignment, "The drone went home or down (" + drone.mode() + "), which its mission did not ask for.", sight, FREE);
         }
         if (steering.equals(Optional.of(Steering.STICKS))) {
             // No mission ends in one: a pilot has it, who may not be called home by anybody.

@@ -80,7 +80,31 @@ class VirtualRunMachineTest {
         assertThat(sent(null)).isNull();
     }
 
-    private void returning() {
+    @Test
+    void saysOfARoverNeitherThatItFliesNorThatItCameDown() {
+        drone.kind = VehicleKind.ROVER;
+        driving();
+        drone.link = LinkState.LOST;
+        quiet(Duration.ofSeconds(1));
+        assertThat(run.note()).contains("it may still be under way");
+        drone.link = LinkState.LIVE;
+        drone.armed = false;
+        step(null);
+
+        assertThat(run.note()).startsWith("The drone was disarmed before the end.");
+    }
+
+    /** Its pilot may have, or a fail-safe. */
+    @Test
+    void namesNobodyForAWayHomeThatTheMissionDidNotAskFor() {
+        driving();
+        drone.mode = "RTL";
+        step(null);
+
+        assertThat(run.note()).startsWith("The drone went home or down (RTL), which its mission did not ask for.");
+    }
+
+    private void driving() {
         run = VirtualFixtures.asked(3).bound(VirtualFixtures.choiceOf("d1"), null, now);
         VirtualTourSection driven = run.tour().share(0, null);
         sent(null);
@@ -89,7 +113,12 @@ class VirtualRunMachineTest {
         sent(new Outcome.Succeeded());
         drone.flies().carries(driven, 0);
         sent(new Outcome.Succeeded());
-        drone.carries(driven, 3, 0, 1, 2);
+        assertThat(run.stage()).isEqualTo(VirtualRunStage.FLYING);
+    }
+
+    private void returning() {
+        driving();
+        drone.carries(run.tour().share(0, null), 3, 0, 1, 2);
         sent(null);
         assertThat(run.stage()).isEqualTo(VirtualRunStage.RETURNING);
     }
