@@ -159,7 +159,8 @@ final class ManagedDrone implements Lane.TimedTask {
     void attach(LinkSession newer, Claim claim) {
         LinkSession before = session;
         session = before != null && before.channel().supersedes(newer.channel()) ? newer.by(before.channel()) : newer;
-        componentChanged |= before != null && session == newer && newer.channel().isOtherComponent(before.channel());
+        componentChanged |=
+                before != null && session == newer && newer.channel().isOtherComponent(before.channel());
         drone.attach(newer, standing(claim.evidence(), claim.proof()));
         listener.droneChanged(drone.state());
     }

@@ -196,7 +196,12 @@ public final class VirtualRunMachine {
         }
         Optional<Steering> steering = drone.capabilities().steering(drone.mode());
         if (drone.capabilities().isSafe(drone.mode())) {
-            return replace(run, assignment, "The drone went home or down (" + drone.mode() + "), which its mission did not ask for.", sight, FREE);
+            return replace(
+                    run,
+                    assignment,
+                    "The drone went home or down (" + drone.mode() + "), which its mission did not ask for.",
+                    sight,
+                    FREE);
         }
         if (steering.equals(Optional.of(Steering.STICKS))) {
             // No mission ends in one: a pilot has it, who may not be called home by anybody.
@@ -231,8 +236,8 @@ public final class VirtualRunMachine {
             return VirtualRunStep.leave(
                     run.unbound(DONE, "Done: all waypoints are flown and the drone is back.", null, sight.now()), FREE);
         }
-        Optional<VirtualRunStep> there =
-                atHome(run, assignment, drone, sight, words -> done(run, "Done: all waypoints are flown. " + words, sight));
+        Optional<VirtualRunStep> there = atHome(
+                run, assignment, drone, sight, words -> done(run, "Done: all waypoints are flown. " + words, sight));
         if (there.isPresent()) {
             return there.get();
         }
@@ -264,9 +269,8 @@ public final class VirtualRunMachine {
         boolean asked = assignment.command() != null && since(assignment, sight).compareTo(BETWEEN_CALLS) < 0;
         return Optional.of(VirtualHomecoming.whyStaysArmed(drone)
                 .map(ends)
-                .orElseGet(() -> asked
-                        ? VirtualRunStep.unchanged(run)
-                        : VirtualRunStep.send(run, new Command.Disarm(false))));
+                .orElseGet(() ->
+                        asked ? VirtualRunStep.unchanged(run) : VirtualRunStep.send(run, new Command.Disarm(false))));
     }
 
     private static VirtualRunStep bringHome(
@@ -277,12 +281,8 @@ public final class VirtualRunMachine {
                             run.unbound(STOPPED, "It was stopped; the drone is down.", run.detail(), sight.now()), FREE)
                     : replace(run, assignment, "The drone could not go on.", sight, FREE);
         }
-        Optional<VirtualRunStep> there = atHome(
-                run,
-                assignment,
-                drone,
-                sight,
-                words -> replace(run, assignment, words, sight, FREE));
+        Optional<VirtualRunStep> there =
+                atHome(run, assignment, drone, sight, words -> replace(run, assignment, words, sight, FREE));
         if (there.isPresent()) {
             return there.get();
         }

@@ -13,7 +13,6 @@ import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
-import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
@@ -53,74 +52,6 @@ class VirtualRunMachineTest {
         drone.airborne = false;
         assertThat(step(null).release()).isEqualTo(VirtualRunStep.Release.FREE);
         assertThat(run.stage()).isEqualTo(VirtualRunStage.DONE);
-    }
-
-    /** It would drift away without its motors. */
-    @Test
-    void leavesABoatAtHomeArmedAndSaysSo() {
-        drone.kind = VehicleKind.BOAT;
-        returning();
-        still = Duration.ofSeconds(3);
-
-        assertThat(step(null).release()).isEqualTo(VirtualRunStep.Release.FREE);
-        assertThat(run.stage()).isEqualTo(VirtualRunStage.DONE);
-        assertThat(run.note())
-                .isEqualTo("Done: all waypoints are flown. The drone holds its place at home, armed. Nobody controls it"
-                        + " now.");
-    }
-
-    @Test
-    void disarmsARoverOnceAtHomeAndAgainOnlyAfterAWhile() {
-        drone.kind = VehicleKind.ROVER;
-        returning();
-        assertThat(sent(null)).isNull();
-        still = Duration.ofSeconds(3);
-
-        assertThat(sent(null)).isEqualTo(new Command.Disarm(false));
-        assertThat(sent(null)).isNull();
-    }
-
-    @Test
-    void saysOfARoverNeitherThatItFliesNorThatItCameDown() {
-        drone.kind = VehicleKind.ROVER;
-        driving();
-        drone.link = LinkState.LOST;
-        quiet(Duration.ofSeconds(1));
-        assertThat(run.note()).contains("it may still be under way");
-        drone.link = LinkState.LIVE;
-        drone.armed = false;
-        step(null);
-
-        assertThat(run.note()).startsWith("The drone was disarmed before the end.");
-    }
-
-    /** Its pilot may have, or a fail-safe. */
-    @Test
-    void namesNobodyForAWayHomeThatTheMissionDidNotAskFor() {
-        driving();
-        drone.mode = "RTL";
-        step(null);
-
-        assertThat(run.note()).startsWith("The drone went home or down (RTL), which its mission did not ask for.");
-    }
-
-    private void driving() {
-        run = VirtualFixtures.asked(3).bound(VirtualFixtures.choiceOf("d1"), null, now);
-        VirtualTourSection driven = run.tour().share(0, null);
-        sent(null);
-        sent(new Outcome.Succeeded());
-        drone.armed = true;
-        sent(new Outcome.Succeeded());
-        drone.flies().carries(driven, 0);
-        sent(new Outcome.Succeeded());
-        assertThat(run.stage()).isEqualTo(VirtualRunStage.FLYING);
-    }
-
-    private void returning() {
-        driving();
-        drone.carries(run.tour().share(0, null), 3, 0, 1, 2);
-        sent(null);
-        assertThat(run.stage()).isEqualTo(VirtualRunStage.RETURNING);
     }
 
     @Test

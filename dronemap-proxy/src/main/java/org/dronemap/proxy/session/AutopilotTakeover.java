@@ -18,11 +18,13 @@ final class AutopilotTakeover {
     /** Longer nobody waits for it: what comes late surprises. */
     private static final long LONGEST_NANOS = 5_000_000_000L;
 
-    private static final String NOT_SENT = "It was not sent: another component of the vehicle was just taking over as its"
-            + " autopilot. Give it again.";
+    private static final String NOT_SENT =
+            "It was not sent: another component of the vehicle was just taking over as its"
+                    + " autopilot. Give it again.";
 
-    private static final String NOT_THE_AUTOPILOT = "It went to another component of the vehicle, which had not answered"
-            + " when the autopilot was heard; look at the drone.";
+    private static final String NOT_THE_AUTOPILOT =
+            "It went to another component of the vehicle, which had not answered"
+                    + " when the autopilot was heard; look at the drone.";
 
     private volatile @Nullable VehicleSession successor;
     private final Queue<WaitingCommand> waiting = new ArrayDeque<>();

@@ -138,7 +138,8 @@ class SeveralComponentsTest {
         speak(4, this::autopilot);
 
         assertThat(outcome()).isInstanceOf(Outcome.Unknown.class);
-        assertThat(outcome().reason()).startsWith("It went to another component of the vehicle, which had not answered");
+        assertThat(outcome().reason())
+                .startsWith("It went to another component of the vehicle, which had not answered");
     }
 
     /** It never became the drone's: the command was not sent to anybody, and says so. */
@@ -162,7 +163,11 @@ class SeveralComponentsTest {
     }
 
     private Outcome outcome() {
-        return cloud.cloud().gate().find(new CommandId("disarm-1")).orElseThrow().outcome();
+        return cloud.cloud()
+                .gate()
+                .find(new CommandId("disarm-1"))
+                .orElseThrow()
+                .outcome();
     }
 
     private void command(Command command) {

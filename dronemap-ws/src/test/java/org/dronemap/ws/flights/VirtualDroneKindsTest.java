@@ -86,8 +86,9 @@ class VirtualDroneKindsTest {
         reaches(virtual, "done", FLIGHT);
 
         assertThat(run(virtual).sentence())
-                .isEqualTo("Done: all waypoints are flown. The drone circles over its home, since no mission of a virtual"
-                        + " drone lands it. Nobody controls it now: take control of it and land it.");
+                .isEqualTo(
+                        "Done: all waypoints are flown. The drone circles over its home, since no mission of a virtual"
+                                + " drone lands it. Nobody controls it now: take control of it and land it.");
         assertThat(plane.away()).isLessThan(250);
         assertThat(plane.height()).isGreaterThan(30);
     }

@@ -31,7 +31,8 @@ class WithoutPositionFlightTest {
     }
 
     private void requirePositionMissing(LabDrone drone, CommandRequest wish, String instead) {
-        CommandView.OutcomeView refused = Objects.requireNonNull(ann.outcome(drone, wish).outcome());
+        CommandView.OutcomeView refused =
+                Objects.requireNonNull(ann.outcome(drone, wish).outcome());
         assertThat(refused.code()).isEqualTo(OutcomeCode.POSITION_MISSING.word());
         assertThat(refused.by()).isEqualTo("vehicle");
         assertThat(refused.reason()).endsWith(instead);
@@ -63,7 +64,10 @@ class WithoutPositionFlightTest {
         LabDrone rover = lab.ready(lab.add(VehicleSpec.ROVER));
         ann.does(rover, CommandRequests.setMode("GUIDED")).does(rover, CommandRequests.arm());
         rover.craft().navigation().setReceiving(false);
-        lab.until("it has lost its position", SOON, () -> !rover.craft().navigation().hasEstimate());
+        lab.until(
+                "it has lost its position",
+                SOON,
+                () -> !rover.craft().navigation().hasEstimate());
 
         requirePositionMissing(
                 rover,

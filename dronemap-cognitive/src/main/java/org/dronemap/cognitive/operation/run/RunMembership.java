@@ -81,7 +81,8 @@ final class RunMembership {
         Predicate<RunDrone> returning = drone -> drone.stage() == RunDroneStage.RETURNING;
         Predicate<RunDrone> silent = drone -> drone.stage() == RunDroneStage.SILENT;
         Predicate<RunDrone> onTheGround = drone -> armed.contains(drone.id());
-        Predicate<RunDrone> flies = drone -> draft.isWordedBefore(2) || drone.profile().flies();
+        Predicate<RunDrone> flies =
+                drone -> draft.isWordedBefore(2) || drone.profile().flies();
         String words = doing(draft, returning.and(onTheGround.negate()), " comes home.", " come home.")
                 + doing(draft, returning.and(onTheGround), " stays where it is.", " stay where they are.")
                 + doing(
@@ -103,10 +104,8 @@ final class RunMembership {
     }
 
     private static String doing(RunTransition draft, Predicate<RunDrone> which, String one, String more) {
-        List<String> names = draft.drones().stream()
-                .filter(which)
-                .map(RunDrone::name)
-                .toList();
+        List<String> names =
+                draft.drones().stream().filter(which).map(RunDrone::name).toList();
         return names.isEmpty() ? "" : " " + RunMessages.list(names) + (names.size() == 1 ? one : more);
     }
 }

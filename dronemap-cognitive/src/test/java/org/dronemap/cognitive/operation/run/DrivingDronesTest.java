@@ -176,7 +176,8 @@ class DrivingDronesTest {
         assertThat(fleet.said.get(fleet.said.size() - 1)).endsWith("Drone d0 is not heard and may still be under way.");
         fleet.flyUntil(() -> fleet.state.isOver(), 4_000);
 
-        assertThat(fleet.drone(0).note()).isEqualTo("Drone d0 was not heard again; it must have come to a stop by now.");
+        assertThat(fleet.drone(0).note())
+                .isEqualTo("Drone d0 was not heard again; it must have come to a stop by now.");
         assertThat(fleet.said).noneMatch(words -> words.contains(" fly") || words.contains(" down"));
     }
 
@@ -185,7 +186,8 @@ class DrivingDronesTest {
         RunTestBench fleet = silent(VehicleKind.FIXED_WING);
         fleet.flyUntil(() -> fleet.state.isOver(), 4_000);
 
-        assertThat(fleet.drone(0).note()).isEqualTo("Drone d0 was not heard again; it may be down, or circle over its home.");
+        assertThat(fleet.drone(0).note())
+                .isEqualTo("Drone d0 was not heard again; it may be down, or circle over its home.");
     }
 
     @Test

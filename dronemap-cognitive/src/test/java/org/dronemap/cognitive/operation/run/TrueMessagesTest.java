@@ -129,7 +129,8 @@ class TrueMessagesTest {
         fleet.fly(3);
 
         assertThat(fleet.said)
-                .anyMatch(words -> words.endsWith(" Drone d1 comes home or down (RTL), which this run did not ask for."));
+                .anyMatch(
+                        words -> words.endsWith(" Drone d1 comes home or down (RTL), which this run did not ask for."));
     }
 
     @Test

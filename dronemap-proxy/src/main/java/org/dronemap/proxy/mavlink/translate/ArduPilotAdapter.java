@@ -300,8 +300,7 @@ final class ArduPilotAdapter implements AutopilotAdapter {
                                 mission, MissionCodec.toWire(mission, cockpit.target(), cockpit.status(), form()))),
                 // In the air nothing is to wait for that; its start tells it then.
                 ExchangeSequence.Step.when(
-                        () -> !cockpit.status().armed(),
-                        () -> new ExchangeSequence(OwnFenceExchanges.warn(cockpit)))));
+                        () -> !cockpit.status().armed(), () -> new ExchangeSequence(OwnFenceExchanges.warn(cockpit)))));
     }
 
     private MissionCodec.Form form() {

@@ -14,8 +14,7 @@ final class FenceAreaCheck {
     private static final String OUTSIDE = " lies outside of an area that its own fence keeps it in.";
     private static final String INSIDE = " lies inside an area that its own fence keeps it out of.";
     private static final String LEAVES = " is reached by a way that leaves an area that its own fence keeps it in.";
-    private static final String ENTERS =
-            " is reached by a way that enters an area that its own fence keeps it out of.";
+    private static final String ENTERS = " is reached by a way that enters an area that its own fence keeps it out of.";
     private static final PlanePoint CENTER = new PlanePoint(0, 0);
 
     private FenceAreaCheck() {}
@@ -50,8 +49,8 @@ final class FenceAreaCheck {
             return outline.edges().stream().anyMatch(way::crosses);
         }
         FenceArea.Circle circle = (FenceArea.Circle) area;
-        PlaneSegment way = new PlaneSegment(
-                LocalPlane.offset(circle.center(), from), LocalPlane.offset(circle.center(), to));
+        PlaneSegment way =
+                new PlaneSegment(LocalPlane.offset(circle.center(), from), LocalPlane.offset(circle.center(), to));
         return !circle.inside() && way.distanceMeters(CENTER) <= circle.radiusMeters();
     }
 }

@@ -43,7 +43,11 @@ record OwnFence(Values values, @Nullable OnboardFence areas) {
      * @param onTheWay it comes up or goes down there, so that a floor does not bind
      */
     record Target(
-            String words, @Nullable Geodetic from, @Nullable Geodetic point, @Nullable Double aboveHome, boolean onTheWay) {}
+            String words,
+            @Nullable Geodetic from,
+            @Nullable Geodetic point,
+            @Nullable Double aboveHome,
+            boolean onTheWay) {}
 
     boolean isOn() {
         return values.of(ENABLE).orElse(0.0) == 1;
@@ -65,7 +69,10 @@ record OwnFence(Values values, @Nullable OnboardFence areas) {
 
     /** Why the place, or the way there, is outside of it; empty: it is not, as far as is known. */
     Optional<String> against(VehicleStatus status, Target target) {
-        return tooHigh(target).or(() -> tooLow(target)).or(() -> tooFar(status, target)).or(() -> byAreas(target));
+        return tooHigh(target)
+                .or(() -> tooLow(target))
+                .or(() -> tooFar(status, target))
+                .or(() -> byAreas(target));
     }
 
     private Optional<String> tooHigh(Target target) {
@@ -119,8 +126,8 @@ record OwnFence(Values values, @Nullable OnboardFence areas) {
         }
         List<FenceArea> inside =
                 areas.areas().stream().filter(FenceArea::inside).toList();
-        boolean any = inside.size() > 1
-                && (values.of(OPTIONS).map(Double::intValue).orElse(0) & ANY_AREA_WILL_DO) != 0;
+        boolean any =
+                inside.size() > 1 && (values.of(OPTIONS).map(Double::intValue).orElse(0) & ANY_AREA_WILL_DO) != 0;
         if (any && inside.stream().noneMatch(area -> FenceAreaCheck.covers(area, point))) {
             return Optional.of(target.words() + " lies outside of all areas of its own fence.");
         }

@@ -36,7 +36,8 @@ final class OwnFenceExchanges {
     static Exchange goTo(CommandContext cockpit, Command.GoTo command, Exchange goTo) {
         return new FallbackExchange(
                 goTo,
-                ended -> ended instanceof Outcome.Refused refused && refused.by().equals("vehicle"),
+                ended ->
+                        ended instanceof Outcome.Refused refused && refused.by().equals("vehicle"),
                 () -> {
                     OwnFenceReader reader = new OwnFenceReader(cockpit);
                     List<ExchangeSequence.Step> steps = new ArrayList<>(reader.steps());
@@ -96,13 +97,19 @@ final class OwnFenceExchanges {
             }
         }
         if (!outside.isEmpty()) {
-            String others = outside.stream().skip(1).map(words -> words.substring("Item ".length()))
+            String others = outside.stream()
+                    .skip(1)
+                    .map(words -> words.substring("Item ".length()))
                     .collect(Collectors.joining(", "));
-            return Optional.of("The mission leaves the vehicle's own fence, where its FENCE_ACTION says what it does. " + first
-                    + (others.isEmpty() ? "" : " Outside, too: " + (outside.size() == 2 ? "item " : "items ") + others + "."));
+            return Optional.of(
+                    "The mission leaves the vehicle's own fence, where its FENCE_ACTION says what it does. " + first
+                            + (others.isEmpty()
+                                    ? ""
+                                    : " Outside, too: " + (outside.size() == 2 ? "item " : "items ") + others + "."));
         }
         return fence.hasUnreadAreas()
-                ? Optional.of("The vehicle's own fence has areas that were not compared with the mission; read its fence.")
+                ? Optional.of(
+                        "The vehicle's own fence has areas that were not compared with the mission; read its fence.")
                 : Optional.empty();
     }
 

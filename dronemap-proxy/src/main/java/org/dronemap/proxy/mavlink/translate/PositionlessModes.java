@@ -13,7 +13,17 @@ import org.jspecify.annotations.Nullable;
  */
 final class PositionlessModes {
     private static final Set<String> NEED_POSITION = Set.of(
-            "AUTO", "GUIDED", "LOITER", "RTL", "SMART_RTL", "AUTO_RTL", "CIRCLE", "POSHOLD", "BRAKE", "FOLLOW", "ZIGZAG",
+            "AUTO",
+            "GUIDED",
+            "LOITER",
+            "RTL",
+            "SMART_RTL",
+            "AUTO_RTL",
+            "CIRCLE",
+            "POSHOLD",
+            "BRAKE",
+            "FOLLOW",
+            "ZIGZAG",
             "DOCK");
 
     private PositionlessModes() {}

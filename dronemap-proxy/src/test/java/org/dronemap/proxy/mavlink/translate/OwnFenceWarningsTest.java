@@ -186,9 +186,14 @@ class OwnFenceWarningsTest {
 
         fence.clear();
         AutopilotTestBench through = vehicle(ARMED, NEAR, at(46.0005, 7.002, 20));
-        areas(through, new FenceArea.Polygon(
-                false,
-                List.of(new Geodetic(46.0004, 7.001), new Geodetic(46.0006, 7.001), new Geodetic(46.0005, 7.0011))));
+        areas(
+                through,
+                new FenceArea.Polygon(
+                        false,
+                        List.of(
+                                new Geodetic(46.0004, 7.001),
+                                new Geodetic(46.0006, 7.001),
+                                new Geodetic(46.0005, 7.0011))));
         assertThat(warnings(through, START))
                 .singleElement()
                 .asString()
