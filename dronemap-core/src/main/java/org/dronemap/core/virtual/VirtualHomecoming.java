@@ -46,6 +46,13 @@ final class VirtualHomecoming {
                 : Optional.empty();
     }
 
+    /** Of one that is disarmed before all is flown, as a sentence. */
+    static String endedEarly(DroneState drone) {
+        return drone.identification().kind().neverFlies()
+                ? "The drone was disarmed before the end."
+                : "The drone came down before the end.";
+    }
+
     private static boolean isWithin(DroneState drone, double meters) {
         Position position = drone.position();
         Home home = drone.home();

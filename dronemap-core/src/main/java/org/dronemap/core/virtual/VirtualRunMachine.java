@@ -187,9 +187,7 @@ public final class VirtualRunMachine {
                     run.to(RETURNING, "All waypoints are flown; the drone comes back.", sight.now()));
         }
         if (Boolean.FALSE.equals(drone.armed())) {
-            boolean drives = drone.identification().kind().neverFlies();
-            String why = drives ? "The drone was disarmed before the end." : "The drone came down before the end.";
-            return replace(run, assignment, why, sight, FREE);
+            return replace(run, assignment, VirtualHomecoming.endedEarly(drone), sight, FREE);
         }
         if (share(run, assignment).isOnBoard(drone.mission()).equals(Optional.of(false))) {
             return giveUp(run, "The drone carries another mission now; it is called home.", sight);
