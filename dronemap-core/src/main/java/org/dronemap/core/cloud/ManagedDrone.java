@@ -158,9 +158,9 @@ final class ManagedDrone implements Lane.TimedTask {
     /** A session was found to speak for this drone, and showed this for it. */
     void attach(LinkSession newer, Claim claim) {
         LinkSession before = session;
-        session = before != null && before.channel().supersedes(newer.channel()) ? newer.by(before.channel()) : newer;
-        componentChanged |=
-                before != null && session == newer && newer.channel().isOtherComponent(before.channel());
+        boolean carriedOn = before != null && before.channel().supersedes(newer.channel());
+        session = before != null && carriedOn ? newer.by(before.channel()) : newer;
+        componentChanged |= before != null && !carriedOn && newer.channel().isOtherComponent(before.channel());
         drone.attach(newer, standing(claim.evidence(), claim.proof()));
         listener.droneChanged(drone.state());
     }
