@@ -49,6 +49,8 @@ final class ManagedDrone implements Lane.TimedTask {
     private @Nullable LinkSession session;
     private boolean replayEnded;
     private Lane.TimedTask watch = () -> {};
+    private boolean componentChanged;
+    private boolean modeOfOtherComponent;
     private Runnable modeChanged = () -> {};
     private volatile FlightPreparation preparation = FlightPreparation.NONE;
     private final SetpointForwarder setpoints;
@@ -156,9 +158,18 @@ final class ManagedDrone implements Lane.TimedTask {
     /** A session was found to speak for this drone, and showed this for it. */
     void attach(LinkSession newer, Claim claim) {
         LinkSession before = session;
-        session = before != null && before.channel().supersedes(newer.channel()) ? newer.by(before.channel()) : newer;
+        boolean carriedOn = before != null && before.channel().supersedes(newer.channel());
+        session = before != null && carriedOn ? newer.by(before.channel()) : newer;
+        componentChanged |= before != null && !carriedOn && newer.channel().isOtherComponent(before.channel());
         drone.attach(newer, standing(claim.evidence(), claim.proof()));
         listener.droneChanged(drone.state());
+    }
+
+    /** True once after another component of the vehicle came to speak for it: its first mode is no change of mode. */
+    boolean isFirstModeOfOtherComponent() {
+        boolean first = modeOfOtherComponent;
+        modeOfOtherComponent = false;
+        return first;
     }
 
     void proved(IdentityProof proof) {
@@ -226,6 +237,10 @@ final class ManagedDrone implements Lane.TimedTask {
     }
 
     void accept(DroneEvent event) {
+        if (componentChanged && event instanceof DroneEvent.ModeReported) {
+            componentChanged = false;
+            modeOfOtherComponent = true;
+        }
         received();
         String mode = drone.state().mode();
         drone.apply(event);

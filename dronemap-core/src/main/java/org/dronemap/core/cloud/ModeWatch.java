@@ -52,7 +52,7 @@ final class ModeWatch {
             return isToStay(now) ? mode : null;
         }
         doubtfulNanos = null;
-        if (before == null) {
+        if (before == null || drone.isFirstModeOfOtherComponent()) {
             return null;
         }
         leftNanos.values().removeIf(left -> now - left >= JUST_NANOS);

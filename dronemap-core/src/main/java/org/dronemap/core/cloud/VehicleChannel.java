@@ -30,6 +30,11 @@ public interface VehicleChannel {
         return false;
     }
 
+    /** That channel spoke with another component of the vehicle, whose state was not the vehicle's. */
+    default boolean isOtherComponent(VehicleChannel older) {
+        return false;
+    }
+
     /** Asks for any sign of life. */
     void probe();
 

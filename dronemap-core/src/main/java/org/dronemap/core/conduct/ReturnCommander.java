@@ -53,8 +53,8 @@ final class ReturnCommander {
 
     /** The best that it can do now; what the gate refuses is told there. */
     private Command homeward(LeaseHolder.Operation by, DroneState drone) {
-        // Where nothing tells, it may well be in the air.
-        if (drone.isOnGround()) {
+        // Where nothing tells, it may well be in the air; what drives may be anywhere.
+        if (drone.isOnGround() && !drone.identification().kind().neverFlies()) {
             return new Command.Disarm(false);
         }
         return Stream.of(new Command.ReturnToLaunch(), new Command.Land(), new Command.Hold())

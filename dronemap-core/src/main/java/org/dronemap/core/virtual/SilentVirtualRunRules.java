@@ -34,7 +34,9 @@ final class SilentVirtualRunRules {
         if (sight.silence().compareTo(patience) <= 0) {
             String words = neverArmed
                     ? "Nothing is heard of the drone."
-                    : "Nothing is heard of the drone; it may still fly, and its waypoints stay its own.";
+                    : "Nothing is heard of the drone; it may still "
+                            + (drone.identification().kind().neverFlies() ? "be under way" : "fly")
+                            + ", and its waypoints stay its own.";
             return VirtualRunStep.unchanged(run.withNote(words, sight.now()));
         }
         VirtualRunStep.Release release = neverArmed ? FREE : RECALL;

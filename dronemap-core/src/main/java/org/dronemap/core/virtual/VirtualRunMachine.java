@@ -15,6 +15,7 @@ import static org.dronemap.core.virtual.VirtualRunStep.Release.FREE;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Optional;
+import java.util.function.Function;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.Capabilities.Steering;
@@ -186,14 +187,19 @@ public final class VirtualRunMachine {
                     run.to(RETURNING, "All waypoints are flown; the drone comes back.", sight.now()));
         }
         if (Boolean.FALSE.equals(drone.armed())) {
-            return replace(run, assignment, "The drone came down before the end.", sight, FREE);
+            return replace(run, assignment, VirtualHomecoming.endedEarly(drone), sight, FREE);
         }
         if (share(run, assignment).isOnBoard(drone.mission()).equals(Optional.of(false))) {
             return giveUp(run, "The drone carries another mission now; it is called home.", sight);
         }
         Optional<Steering> steering = drone.capabilities().steering(drone.mode());
         if (drone.capabilities().isSafe(drone.mode())) {
-            return replace(run, assignment, "The drone went home or down by itself.", sight, FREE);
+            return replace(
+                    run,
+                    assignment,
+                    "The drone went home or down (" + drone.mode() + "), which its mission did not ask for.",
+                    sight,
+                    FREE);
         }
         if (steering.equals(Optional.of(Steering.STICKS))) {
             // No mission ends in one: a pilot has it, who may not be called home by anybody.
@@ -228,10 +234,13 @@ public final class VirtualRunMachine {
             return VirtualRunStep.leave(
                     run.unbound(DONE, "Done: all waypoints are flown and the drone is back.", null, sight.now()), FREE);
         }
+        Optional<VirtualRunStep> there = atHome(
+                run, assignment, drone, sight, words -> done(run, "Done: all waypoints are flown. " + words, sight));
+        if (there.isPresent()) {
+            return there.get();
+        }
         if (sight.still().compareTo(LONGEST_STILL_ON_ITS_WAY_HOME) > 0) {
-            return VirtualRunStep.leave(
-                    run.unbound(DONE, "All waypoints are flown; the drone is stuck on its way.", null, sight.now()),
-                    FREE);
+            return done(run, "All waypoints are flown; the drone is stuck on its way.", sight);
         }
         boolean hangs = drone.mission().complete()
                 && drone.airborne()
@@ -241,6 +250,27 @@ public final class VirtualRunMachine {
                 : VirtualRunStep.unchanged(run);
     }
 
+    private static VirtualRunStep done(VirtualRun run, String words, VirtualRunObservation sight) {
+        return VirtualRunStep.leave(run.unbound(DONE, words, null, sight.now()), FREE);
+    }
+
+    /** {@code ends}: by a sentence of what the drone does at home; empty: it is not there, or lands by itself. */
+    private static Optional<VirtualRunStep> atHome(
+            VirtualRun run,
+            VirtualRunAssignment assignment,
+            DroneState drone,
+            VirtualRunObservation sight,
+            Function<String, VirtualRunStep> ends) {
+        if (!VirtualHomecoming.standsAtHome(drone, sight)) {
+            return VirtualHomecoming.circling(drone).map(ends);
+        }
+        boolean asked = assignment.command() != null && since(assignment, sight).compareTo(BETWEEN_CALLS) < 0;
+        return Optional.of(VirtualHomecoming.whyStaysArmed(drone)
+                .map(ends)
+                .orElseGet(() ->
+                        asked ? VirtualRunStep.unchanged(run) : VirtualRunStep.send(run, new Command.Disarm(false))));
+    }
+
     private static VirtualRunStep bringHome(
             VirtualRun run, VirtualRunAssignment assignment, DroneState drone, VirtualRunObservation sight) {
         if (Boolean.FALSE.equals(drone.armed())) {
@@ -248,6 +278,11 @@ public final class VirtualRunMachine {
                     ? VirtualRunStep.leave(
                             run.unbound(STOPPED, "It was stopped; the drone is down.", run.detail(), sight.now()), FREE)
                     : replace(run, assignment, "The drone could not go on.", sight, FREE);
+        }
+        Optional<VirtualRunStep> there =
+                atHome(run, assignment, drone, sight, words -> replace(run, assignment, words, sight, FREE));
+        if (there.isPresent()) {
+            return there.get();
         }
         if (sight.still().compareTo(LONGEST_STILL_ON_ITS_WAY_HOME) > 0) {
             return replace(run, assignment, "The drone is stuck on its way home.", sight, FREE);
@@ -262,7 +297,8 @@ public final class VirtualRunMachine {
         if (called || onItsWay) {
             return VirtualRunStep.unchanged(run);
         }
-        return VirtualRunStep.send(run, drone.airborne() ? homeward(drone) : new Command.Disarm(false));
+        boolean away = drone.airborne() || drone.identification().kind().neverFlies();
+        return VirtualRunStep.send(run, away ? homeward(drone) : new Command.Disarm(false));
     }
 
     private static Command homeward(DroneState drone) {

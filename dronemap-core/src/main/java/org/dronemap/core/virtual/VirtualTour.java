@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
+import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
@@ -79,7 +80,7 @@ public record VirtualTour(@Nullable Double takeOffMeters, List<MissionItem.Waypo
      * cannot be said, because an altitude is above the sea and its home is not known.
      */
     Optional<TakeOff> takeOff(DroneState drone, int first) {
-        if (!drone.capabilities().commands().contains(Capability.TAKE_OFF)) {
+        if (!takesOff(drone)) {
             return Optional.of(TakeOff.NONE);
         }
         if (takeOffMeters != null) {
@@ -94,6 +95,13 @@ public record VirtualTour(@Nullable Double takeOffMeters, List<MissionItem.Waypo
                 ? altitude.meters() - home.altitudeAmslMeters()
                 : altitude.meters();
         return Optional.of(new TakeOff(Math.min(HIGHEST_METERS, Math.max(LOWEST_METERS, above))));
+    }
+
+    /** A plane takes off by its mission alone. */
+    private static boolean takesOff(DroneState drone) {
+        return drone.capabilities().commands().contains(Capability.TAKE_OFF)
+                || (drone.identification().kind() == VehicleKind.FIXED_WING
+                        && drone.capabilities().missions().supports(MissionItem.Kind.TAKE_OFF));
     }
 
     /** Metres above home; null: none. */

@@ -25,6 +25,8 @@ import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.Identification;
+import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.lease.LeaseEvent;
 import org.dronemap.core.lease.LeaseHolder;
@@ -150,6 +152,21 @@ class ReturnCommanderTest {
         hear(new DroneEvent.ModeReported("GUIDED", false));
         assertThat(isSeenTo()).isTrue();
         assertThat(isHeld()).isFalse();
+    }
+
+    /** It is never in the air, wherever it is. */
+    @Test
+    void callsARoverHomeInsteadOfDisarmingItOnItsWay() {
+        Identification rover = new Identification(VehicleKind.ROVER, "ArduPilot", "ArduRover", "4.5.6", null);
+        hear(new DroneEvent.Identified(
+                rover,
+                new Capabilities(
+                        EnumSet.allOf(Capability.class),
+                        List.of("GUIDED", "RTL"),
+                        Map.of("GUIDED", Steering.ORDERS, "RTL", Steering.HOME))));
+
+        assertThat(isSeenTo()).isFalse();
+        assertThat(vehicle.performed).containsExactly(RETURN);
     }
 
     @Test

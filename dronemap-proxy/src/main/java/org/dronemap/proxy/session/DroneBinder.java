@@ -28,6 +28,7 @@ final class DroneBinder {
 
     private final SessionDependencies surroundings;
     private final LinkSelector links;
+    private final AutopilotChannel conversation;
     private final AutopilotAdapter autopilot;
     private final VehicleStatus status;
     private final IdentificationRequester question;
@@ -40,6 +41,7 @@ final class DroneBinder {
     DroneBinder(SessionDependencies surroundings, LinkSelector links, AutopilotChannel conversation) {
         this.surroundings = surroundings;
         this.links = links;
+        this.conversation = conversation;
         this.autopilot = conversation.autopilot();
         this.status = conversation.status();
         question = new IdentificationRequester(conversation.target(), surroundings.asks());
@@ -48,7 +50,7 @@ final class DroneBinder {
     }
 
     /** Asks the vehicle who it is as long as it did not say. */
-    void ask(long nowNanos, boolean bound) {
+    private void ask(long nowNanos, boolean bound) {
         if (status.version() == null) {
             question.sendDue(nowNanos, bound);
         }
@@ -114,5 +116,20 @@ final class DroneBinder {
         }
         bound.proved(proof);
         return true;
+    }
+
+    /** {@code talkative}: it was heard a moment ago; {@code bound}: it is known which drone it is. */
+    void talk(long now, boolean talkative, boolean bound) {
+        if (talkative) {
+            ask(now, bound);
+        }
+        if (!bound) {
+            // Whoever is behind that address gets nothing else until it is known.
+            return;
+        }
+        conversation.sendHeartbeat(now);
+        if (talkative) {
+            conversation.ask(now);
+        }
     }
 }

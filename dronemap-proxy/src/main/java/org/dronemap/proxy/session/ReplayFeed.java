@@ -44,7 +44,7 @@ public final class ReplayFeed {
                         .orElse(null);
                 if (opened != null) {
                     if (link != null) {
-                        link.replaced();
+                        link.replacedBy(opened);
                     }
                     choice.chosen(frame);
                     links.put(systemId, opened);

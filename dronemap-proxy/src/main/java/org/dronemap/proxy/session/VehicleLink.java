@@ -77,11 +77,11 @@ final class VehicleLink {
     }
 
     /** Another component of the vehicle turned out to be its autopilot: nothing more of this session. Any thread. */
-    void replaced() {
+    void replacedBy(VehicleLink autopilot) {
         cut = true;
         VehicleSession owner = session;
         if (owner != null) {
-            owner.vanish();
+            owner.replacedBy(autopilot.session());
         }
     }
 

@@ -54,7 +54,7 @@ final class VehiclePeerHandler implements PeerHandler {
             VehicleLink opened = open(choice, frame);
             if (opened != null) {
                 if (link != null) {
-                    link.replaced();
+                    link.replacedBy(opened);
                 }
                 beforehand.replayTo(opened, systemId);
                 links.put(systemId, opened);

@@ -49,6 +49,7 @@ final class VehicleSession implements VehicleChannel, Lane.TimedTask {
     private boolean moving;
     private long lastReceivedNanos;
     private volatile @Nullable VehicleSession carriedOnBy;
+    private final AutopilotTakeover takeover = new AutopilotTakeover();
     private volatile boolean ended;
     private volatile boolean vanished;
     private volatile boolean played;
@@ -161,7 +162,7 @@ final class VehicleSession implements VehicleChannel, Lane.TimedTask {
         if (bound == null || !bound.isGone()) {
             return bound;
         }
-        loseDrone("Another link now speaks for the vehicle; look at the drone.");
+        loseDrone(takeover.why("Another link now speaks for the vehicle; look at the drone."));
         if (label.replay()) {
             end();
         }
@@ -184,6 +185,7 @@ final class VehicleSession implements VehicleChannel, Lane.TimedTask {
 
     private void loseDrone(String why) {
         conversation.abandon(why);
+        takeover.end(other -> other.lane == lane && other.drone().equals(drone()));
         guard.unbound();
         link = null;
     }
@@ -203,8 +205,9 @@ final class VehicleSession implements VehicleChannel, Lane.TimedTask {
             links.sendSecret(key);
         }
         conversation.advance(now);
+        takeover.advance(now);
         if (!label.replay()) {
-            talk(now);
+            introduction.talk(now, now - lastReceivedNanos < TALKATIVE_NANOS, link != null);
         }
         DroneLink bound = stillBound();
         boolean news = links.advance(now);
@@ -237,21 +240,6 @@ final class VehicleSession implements VehicleChannel, Lane.TimedTask {
         }
         if (!introduction.publishProof(bound)) {
             end();
-        }
-    }
-
-    private void talk(long now) {
-        boolean talkative = now - lastReceivedNanos < TALKATIVE_NANOS;
-        if (talkative) {
-            introduction.ask(now, link != null);
-        }
-        if (link == null) {
-            // Whoever is behind that address gets nothing else until it is known.
-            return;
-        }
-        conversation.sendHeartbeat(now);
-        if (talkative) {
-            conversation.ask(now);
         }
     }
 
@@ -365,6 +353,17 @@ final class VehicleSession implements VehicleChannel, Lane.TimedTask {
         }
     }
 
+    /** Another component of the vehicle is its autopilot, and that session will speak for the drone. Any thread. */
+    void replacedBy(@Nullable VehicleSession autopilot) {
+        takeover.begin(autopilot);
+        vanish();
+    }
+
+    @Override
+    public boolean isOtherComponent(VehicleChannel older) {
+        return older instanceof VehicleSession other && other.componentId != componentId;
+    }
+
     private void end() {
         if (!ended) {
             ended = true;
@@ -377,7 +376,9 @@ final class VehicleSession implements VehicleChannel, Lane.TimedTask {
 
     @Override
     public void perform(SendAuthority mandate, Command command, Report report) {
-        conversation.perform(mandate, command, report);
+        if (!takeover.keeps(mandate, command, report, surroundings.now())) {
+            conversation.perform(mandate, command, report);
+        }
     }
 
     @Override
@@ -387,6 +388,7 @@ final class VehicleSession implements VehicleChannel, Lane.TimedTask {
 
     @Override
     public void cancel(CommandId id) {
+        takeover.cancel(id);
         conversation.cancel(id, surroundings.now());
     }
 

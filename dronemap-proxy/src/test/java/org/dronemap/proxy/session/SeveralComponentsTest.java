@@ -12,12 +12,14 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CommandGate;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
+import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.time.SteppedTime;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
 import org.dronemap.mavlink.message.AutopilotVersion;
+import org.dronemap.mavlink.message.CommandAck;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.mavlink.message.Heartbeat;
@@ -112,6 +114,60 @@ class SeveralComponentsTest {
         speak(150, this::autopilot);
         isTheAutopilot();
         assertThat(drone().id()).isEqualTo(before.id());
+    }
+
+    /** The autopilot's first word is heard, and it has not been made the drone yet. */
+    @Test
+    void aCommandGivenWhileTheAutopilotTakesOverIsCarriedOutByIt() {
+        speak(5, this::companion);
+        says(AUTOPILOT, GUIDED_AND_ARMED);
+        time.advance(Duration.ofMillis(100));
+        command(new Command.Disarm(true));
+        speak(4, this::autopilotThatDisarms);
+
+        assertThat(componentsOf(ARM)).containsExactly(AUTOPILOT);
+        assertThat(outcome()).isInstanceOf(Outcome.Succeeded.class);
+    }
+
+    /** It heard the command, and may have done anything with it. */
+    @Test
+    void whatTheCompanionWasToldBeforeIsNotKnownAndSaysWhy() {
+        speak(5, this::companion);
+        command(new Command.Disarm(true));
+        time.advance(BEAT);
+        speak(4, this::autopilot);
+
+        assertThat(outcome()).isInstanceOf(Outcome.Unknown.class);
+        assertThat(outcome().reason())
+                .startsWith("It went to another component of the vehicle, which had not answered");
+    }
+
+    /** It never became the drone's: the command was not sent to anybody, and says so. */
+    @Test
+    void aCommandThatNobodyTakesOverHasFailed() {
+        speak(5, this::companion);
+        says(AUTOPILOT, GUIDED_AND_ARMED);
+        command(new Command.Disarm(true));
+        time.advance(Duration.ofSeconds(20));
+
+        assertThat(outcome()).isNotNull();
+        assertThat(outcome()).isInstanceOfAny(Outcome.Failed.class, Outcome.TimedOut.class);
+    }
+
+    private void autopilotThatDisarms() {
+        boolean asked = componentsOf(ARM).contains(AUTOPILOT);
+        says(AUTOPILOT, asked ? new Heartbeat(2, 3, 1, 4, 3, 3) : GUIDED_AND_ARMED);
+        if (asked) {
+            says(AUTOPILOT, new CommandAck(ARM, 0, 0, 0, 255, 190));
+        }
+    }
+
+    private Outcome outcome() {
+        return cloud.cloud()
+                .gate()
+                .find(new CommandId("disarm-1"))
+                .orElseThrow()
+                .outcome();
     }
 
     private void command(Command command) {

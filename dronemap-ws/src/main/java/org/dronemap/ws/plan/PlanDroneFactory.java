@@ -1,5 +1,6 @@
 package org.dronemap.ws.plan;
 
+import java.util.EnumSet;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.dronemap.cognitive.problem.Craft;
@@ -11,6 +12,7 @@ import org.dronemap.cognitive.problem.Skill;
 import org.dronemap.cognitive.problem.Start;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.Battery;
+import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.drone.LinkQuality;
@@ -30,6 +32,8 @@ import org.dronemap.ws.problem.Rejection;
 /** Makes the planner's drone from the state of a drone; refuses one of which a fact is missing. */
 public final class PlanDroneFactory {
     private static final double SECONDS_PER_MINUTE = 60;
+    private static final Set<Capability> FLYING_MISSIONS =
+            EnumSet.of(Capability.ARM, Capability.UPLOAD_MISSION, Capability.START_MISSION);
 
     private PlanDroneFactory() {}
 
@@ -70,6 +74,12 @@ public final class PlanDroneFactory {
                     DroneProblem.VEHICLE_UNKNOWN,
                     drone,
                     "What kind of vehicle %s is, and what it can do, is not known.");
+        }
+        if (!drone.capabilities().commands().containsAll(FLYING_MISSIONS)) {
+            throw missing(
+                    new CommandProblem(OutcomeCode.CAPABILITY_MISSING),
+                    drone,
+                    "%s (" + drone.identification().vehicle() + ") does not fly missions.");
         }
         if (drone.airborne()) {
             throw missing(

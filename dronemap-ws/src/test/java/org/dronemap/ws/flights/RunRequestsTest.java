@@ -67,8 +67,10 @@ class RunRequestsTest {
     }
 
     private List<PlanTaskRequest> tasks() {
+        Geodetic home = drones.get(0).place(0, 0);
+        double ground = drones.get(0).groundAmsl();
         return List.of(
-                new PlanTaskRequest.ReadSensors(2.0),
+                new PlanTaskRequest.LookAt(home.latitudeDegrees(), home.longitudeDegrees(), ground),
                 new PlanTaskRequest.Servo(SERVO, PULSE_MICROS),
                 new PlanTaskRequest.Photo(),
                 new PlanTaskRequest.ReadSensors(4.0));

@@ -35,7 +35,7 @@ final class LaunchTiming {
     }
 
     private static String words(RunTransition draft, long flying) {
-        if (draft.isInFirstWording()) {
+        if (draft.isWordedBefore(1)) {
             return "All missions are on board; " + RunMessages.count(flying, "drone") + " set off.";
         }
         return flying == 1

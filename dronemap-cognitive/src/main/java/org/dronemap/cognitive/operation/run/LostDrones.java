@@ -15,6 +15,7 @@ import org.dronemap.cognitive.operation.run.model.Sortie;
 import org.dronemap.cognitive.problem.Place;
 import org.dronemap.cognitive.problem.Speeds;
 import org.dronemap.core.command.MissionCloudLossPolicy;
+import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.safety.SafetyTimes;
 import org.jspecify.annotations.Nullable;
@@ -63,8 +64,8 @@ final class LostDrones {
         }
     }
 
-    private static String silentInTheAir(String name, List<String> reserved) {
-        return "Nothing is heard of " + name + " any more; it may still fly. "
+    private static String silentInTheAir(RunTransition draft, RunDrone drone, List<String> reserved) {
+        return "Nothing is heard of " + drone.name() + " any more; it " + RunMessages.mayGoOn(draft, drone) + ". "
                 + switch (reserved.size()) {
                     case 0 -> "Nothing is reserved for it.";
                     case 1 -> "1 waypoint (" + reserved.get(0) + ") is reserved for it.";
@@ -88,7 +89,7 @@ final class LostDrones {
                 until,
                 heard.plus(longest(drone, look.place(), flies && goesOn)));
         String name = drone.name();
-        String words = silentInTheAir(name, reserved);
+        String words = silentInTheAir(draft, drone, reserved);
         boolean offers = drone.orders().size() > reserved.size();
         RunDrone silent = draft.release(drone, "Nothing was heard of " + name + ".")
                 .withOrders(reserved)
@@ -159,7 +160,7 @@ final class LostDrones {
             draft.put(drone);
         }
         if (draft.now().isAfter(silence.flyingUntil())) {
-            String words = drone.name() + " was not heard again; it must be down by now.";
+            String words = drone.name() + " was not heard again; " + whereAbouts(draft, drone);
             DroneWithdrawal.withdraw(draft, drone, RunDroneStage.GONE, RunTrigger.GONE, words);
         } else if (draft.now().isAfter(silence.reservedUntil())
                 && !drone.orders().isEmpty()) {
@@ -169,9 +170,19 @@ final class LostDrones {
         }
     }
 
+    /** A plane circles over its home for as long as it can; what drives is never down. */
+    private static String whereAbouts(RunTransition draft, RunDrone drone) {
+        if (!draft.isWordedBefore(2) && drone.profile().kind() == VehicleKind.FIXED_WING) {
+            return "it may be down, or circle over its home.";
+        }
+        return draft.isWordedBefore(2) || drone.profile().flies()
+                ? "it must be down by now."
+                : "it must have come to a stop by now.";
+    }
+
     /** What was reserved for it may have been visited, cancelled or offered to others since. */
     private static RunDrone renoted(RunTransition draft, RunDrone drone) {
-        RunDrone noted = drone.noted(silentInTheAir(drone.name(), drone.orders()));
+        RunDrone noted = drone.noted(silentInTheAir(draft, drone, drone.orders()));
         draft.put(noted);
         return noted;
     }
@@ -198,7 +209,8 @@ final class LostDrones {
         if (look.isDisarmed()) {
             down(draft, drone, look, explained);
         } else if (look.comesDown()) {
-            String words = name + " is heard again; it comes home or down by itself.";
+            String words = name + " is heard again; it comes home or down"
+                    + (draft.isWordedBefore(2) ? " by itself." : " (" + look.mode() + ").");
             DroneWithdrawal.withdraw(draft, drone, RunDroneStage.RETURNING, RunTrigger.HEARD_AGAIN, words);
             if (explained) {
                 RunCloudLoss.markMissed(draft, draft.drone(drone.id()));
@@ -257,6 +269,6 @@ final class LostDrones {
                 RunTrigger.HEARD_AGAIN,
                 drone.id(),
                 drone.name() + " is heard again; it "
-                        + (own && look.isOnMission() ? "goes on." : "waits in the air for a plan."));
+                        + (own && look.isOnMission() ? "goes on." : RunMessages.waits(draft, drone) + " for a plan."));
     }
 }

@@ -148,7 +148,10 @@ final class RunDroneMonitor {
                     drone,
                     RunDroneStage.RETURNING,
                     RunTrigger.WENT_HOME,
-                    drone.name() + " comes home or down by itself (" + look.mode() + ").");
+                    drone.name() + " comes home or down"
+                            + (draft.isWordedBefore(2)
+                                    ? " by itself (" + look.mode() + ")."
+                                    : " (" + look.mode() + "), which this run did not ask for."));
         } else if (FlightHealth.checkFall(draft, drone, look)) {
             return;
         } else if (draft.drone(drone.id()).stage() == RunDroneStage.FLYING) {

@@ -32,10 +32,7 @@ final class RunPause {
             draft.request(null);
         }
         draft.clock(draft.clock().paused(draft.now()));
-        draft.explain(
-                RunTrigger.PAUSED,
-                null,
-                by + " paused the run: drones in the air hold, those on the ground stay there.");
+        draft.explain(RunTrigger.PAUSED, null, by + " paused the run: " + whatTheyDo(draft));
     }
 
     /** Everybody waited for the same time: what was apart in time still is. */
@@ -98,5 +95,14 @@ final class RunPause {
             draft.put(drone.to(RunDroneStage.HOLDING, draft.now()));
         }
         return true;
+    }
+
+    /** What drives holds as well, and is not in the air. */
+    private static String whatTheyDo(RunTransition draft) {
+        boolean driven =
+                draft.drones().stream().anyMatch(drone -> !drone.profile().flies());
+        return driven && !draft.isWordedBefore(2)
+                ? "drones under way hold, the others stay where they are."
+                : "drones in the air hold, those on the ground stay there.";
     }
 }

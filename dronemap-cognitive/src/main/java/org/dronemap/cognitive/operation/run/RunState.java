@@ -50,7 +50,7 @@ public record RunState(
     public static final int MOST_EXPLANATIONS = 50;
 
     /** Number of the sentences in which a run that begins now explains itself. */
-    public static final int WORDING = 1;
+    public static final int WORDING = 2;
 
     /**
      * Times and deadlines of the run.
@@ -115,9 +115,12 @@ public record RunState(
         return RunInitialState.of(order);
     }
 
-    /** Its journal has the sentences of before they were numbered: a replay comes to these again. */
-    boolean isInFirstWording() {
-        return wording == null;
+    /**
+     * It began when its sentences were others, and a replay of its journal comes to those again; {@code number}: of the first
+     * wording that has them as they are now.
+     */
+    boolean isWordedBefore(int number) {
+        return wording == null || wording < number;
     }
 
     public boolean isOver() {

@@ -66,8 +66,8 @@ final class RunTransition {
         return now;
     }
 
-    boolean isInFirstWording() {
-        return before.isInFirstWording();
+    boolean isWordedBefore(int number) {
+        return before.isWordedBefore(number);
     }
 
     RunCounters tally() {

@@ -159,4 +159,44 @@ class DrivingDronesTest {
 
         assertThat(fleet.state.end()).contains("Drone d0 circles over its home");
     }
+
+    private static RunTestBench silent(VehicleKind kind) {
+        RunTestBench fleet = RunFixtures.mixed(3, 6, kind);
+        drivesPast(fleet, 2);
+        fleet.vehicle(0).cut = true;
+        fleet.flyUntil(() -> fleet.drone(0).stage() == RunDroneStage.SILENT, 60);
+        return fleet;
+    }
+
+    @Test
+    void aSilentRoverIsNeitherSaidToFlyNorToComeDown() {
+        RunTestBench fleet = silent(VehicleKind.ROVER);
+        assertThat(fleet.drone(0).note()).contains("it may still be under way");
+        fleet.wish(new RunInput.Stop(fleet.now, "Ann"));
+        assertThat(fleet.said.get(fleet.said.size() - 1)).endsWith("Drone d0 is not heard and may still be under way.");
+        fleet.flyUntil(() -> fleet.state.isOver(), 4_000);
+
+        assertThat(fleet.drone(0).note())
+                .isEqualTo("Drone d0 was not heard again; it must have come to a stop by now.");
+        assertThat(fleet.said).noneMatch(words -> words.contains(" fly") || words.contains(" down"));
+    }
+
+    @Test
+    void aSilentPlaneMayCircleForAnyTime() {
+        RunTestBench fleet = silent(VehicleKind.FIXED_WING);
+        fleet.flyUntil(() -> fleet.state.isOver(), 4_000);
+
+        assertThat(fleet.drone(0).note())
+                .isEqualTo("Drone d0 was not heard again; it may be down, or circle over its home.");
+    }
+
+    @Test
+    void aPauseOfWhatDrivesNamesNoAir() {
+        RunTestBench fleet = rover(8);
+        drivesPast(fleet, 2);
+        fleet.wish(new RunInput.Pause(fleet.now, "Ann"));
+
+        assertThat(fleet.said.get(fleet.said.size() - 1))
+                .endsWith(" Ann paused the run: drones under way hold, the others stay where they are.");
+    }
 }

@@ -119,4 +119,35 @@ class TrueMessagesTest {
         assertThat(fleet.state.explanations().get(0).words())
                 .isEqualTo("The missions of 4 drones are on board; each is armed and started at its time.");
     }
+
+    /** Its pilot may have, or another ground station, or a fail-safe. */
+    @Test
+    void nobodyIsNamedForAWayHomeThatTheRunDidNotAskFor() {
+        RunTestBench fleet = RunFixtures.fleet(2, 8, 1);
+        fleet.flyUntil(() -> fleet.state.count(RunWaypoint.State.VISITED) >= 1, 600);
+        fleet.vehicle(1).mode = "RTL";
+        fleet.fly(3);
+
+        assertThat(fleet.said)
+                .anyMatch(
+                        words -> words.endsWith(" Drone d1 comes home or down (RTL), which this run did not ask for."));
+    }
+
+    @Test
+    void oneThatIsOnlyBeingArmedIsNotSaidToComeHome() {
+        RunTestBench fleet = RunFixtures.fleet(1, 8, 1);
+        fleet.flyUntil(() -> fleet.drone(0).stage() == RunDroneStage.ARMING, 60);
+        fleet.wish(new RunInput.Stop(fleet.now, "Ann"));
+
+        assertThat(fleet.said.get(fleet.said.size() - 1)).endsWith("stopped by Ann. Drone d0 stays where it is.");
+    }
+
+    @Test
+    void aNameMayHaveAnySign() {
+        RunTestBench fleet = RunFixtures.fleet(2, 8, 1);
+        fleet.flyUntil(() -> fleet.state.count(RunWaypoint.State.VISITED) >= 1, 600);
+        fleet.wish(new RunInput.GiveUpDrone(fleet.now, "Ann 100 % sure", new DroneId("d1")));
+
+        assertThat(fleet.said).anyMatch(words -> words.endsWith(" Ann 100 % sure took Drone d1 out of the run."));
+    }
 }

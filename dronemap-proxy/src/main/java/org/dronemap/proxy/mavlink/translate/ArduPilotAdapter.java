@@ -253,24 +253,10 @@ final class ArduPilotAdapter implements AutopilotAdapter {
 
     private Exchange mode(CommandContext cockpit, String name, ExchangeObserver observer) {
         return table.number(name)
-                .map(number -> withoutPosition(BasicExchanges.mode(cockpit, name, number, 0f, observer)))
+                .map(number -> PositionlessModes.explained(
+                        cockpit, BasicExchanges.mode(cockpit, name, number, 0f, observer), kind, name))
                 .orElseGet(() ->
                         BasicExchanges.refuse(OutcomeCode.MODE_UNKNOWN, "This vehicle has no mode " + name + "."));
-    }
-
-    /** A copter that does not know where it is says which mode it cannot have, and not what is left. */
-    private Exchange withoutPosition(Exchange change) {
-        return table != ArduPilotModeTable.COPTER
-                ? change
-                : new ExplainedExchange(
-                        change,
-                        said -> said.sentence().contains("requires position")
-                                ? Optional.of(ExplainedExchange.after(
-                                        said,
-                                        OutcomeCode.POSITION_MISSING,
-                                        "Without a position it can land, or keep its height in ALT_HOLD while a pilot"
-                                                + " steers."))
-                                : Optional.empty());
     }
 
     /** BRAKE needs no pilot's throttle; where it is not to be had, the mode that every vehicle of the kind knows. */
@@ -311,7 +297,10 @@ final class ArduPilotAdapter implements AutopilotAdapter {
                 ExchangeSequence.Step.of(() -> new MissionExchanges(cockpit, HOME_ITEMS)
                         .inAnyOrder()
                         .uploadInParts(
-                                mission, MissionCodec.toWire(mission, cockpit.target(), cockpit.status(), form())))));
+                                mission, MissionCodec.toWire(mission, cockpit.target(), cockpit.status(), form()))),
+                // In the air nothing is to wait for that; its start tells it then.
+                ExchangeSequence.Step.when(
+                        () -> !cockpit.status().armed(), () -> new ExchangeSequence(OwnFenceExchanges.warn(cockpit)))));
     }
 
     private MissionCodec.Form form() {

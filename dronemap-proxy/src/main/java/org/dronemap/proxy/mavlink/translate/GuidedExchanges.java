@@ -67,7 +67,7 @@ final class GuidedExchanges {
                 cockpit.observer());
         return new ExchangeSequence(List.of(
                 guided,
-                ExchangeSequence.Step.of(() -> new FencedGoTo(
+                ExchangeSequence.Step.of(() -> OwnFenceExchanges.goTo(
                         cockpit,
                         command,
                         new FallbackExchange(

@@ -24,6 +24,7 @@ public final class MissionCodec {
     static final int NAV_VTOL_LAND = 85;
     static final int NAV_DELAY = 93;
     static final int DO_LAND_START = 189;
+    private static final int DO_CHANGE_SPEED = 178;
     static final int DO_SET_SERVO = 183;
     static final int DO_SET_ROI_LOCATION = 195;
     static final int DO_SET_ROI_NONE = 197;
@@ -144,7 +145,7 @@ public final class MissionCodec {
             case 82 -> "spline waypoint";
             case 93 -> "delay";
             case 177 -> "jump";
-            case 178 -> "change speed";
+            case DO_CHANGE_SPEED -> speed(item);
             case DO_SET_SERVO -> "set a servo";
             case DO_LAND_START -> "begin of the landing sequence";
             case DO_SET_ROI -> "point the camera";
@@ -155,6 +156,13 @@ public final class MissionCodec {
         return nowhere
                 ? what
                 : String.format(Locale.ROOT, "%s at %.6f, %.6f, %.1f m", what, item.x() / E7, item.y() / E7, item.z());
+    }
+
+    /** A speed of nothing or less leaves it as it is. */
+    private static String speed(MissionItemInt item) {
+        return item.param2() > 0
+                ? String.format(Locale.ROOT, "change speed to %.1f m/s", item.param2())
+                : "change speed";
     }
 
     /** A float's decimals as they were meant: 20.1, not 20.10000038. */

@@ -26,7 +26,8 @@ final class MissionStartExchanges {
             Function<ExchangeObserver, Exchange> auto) {
         // What drives goes on from wherever it stands.
         boolean fromGround = !cockpit.status().airborne() && !kind.neverFlies();
-        List<ExchangeSequence.Step> steps = new ArrayList<>(cloudLoss(cockpit, start.onCloudLoss(), kind));
+        List<ExchangeSequence.Step> steps = new ArrayList<>(OwnFenceExchanges.warn(cockpit));
+        steps.addAll(cloudLoss(cockpit, start.onCloudLoss(), kind));
         boolean resumes = cockpit.status().resumesMission(ArduPilotAdapter.HOME_ITEMS);
         boolean elsewhere = start.anew() || cockpit.status().currentSeq() > ArduPilotAdapter.HOME_ITEMS;
         if (!fromGround && elsewhere && (start.anew() || !resumes)) {

@@ -28,8 +28,12 @@ final class ReadinessReports {
 
     @Nullable
     Boolean received(EkfStatusReport message) {
-        knowsItsPlace = (message.flags() & KNOWS_ITS_PLACE) != 0;
+        knowsItsPlace = isPlaceKnown(message);
         return ready();
+    }
+
+    static boolean isPlaceKnown(EkfStatusReport message) {
+        return (message.flags() & KNOWS_ITS_PLACE) != 0;
     }
 
     /** Who tells nothing of its estimator is taken at the word of its checks. */

@@ -76,7 +76,7 @@ public final class TelemetryTranslator {
     private void rare(Frame frame) {
         switch (frame.messageId()) {
             case ExtendedSysState.ID -> landedState(ExtendedSysState.decode(frame));
-            case EkfStatusReport.ID -> ready(readiness.received(EkfStatusReport.decode(frame)));
+            case EkfStatusReport.ID -> estimated(EkfStatusReport.decode(frame));
             case HomePosition.ID -> home(HomePosition.decode(frame));
             case MissionCurrent.ID -> missionCurrent(MissionCurrent.decode(frame));
             case MissionItemReached.ID -> reached(MissionItemReached.decode(frame));
@@ -154,6 +154,11 @@ public final class TelemetryTranslator {
 
     private void sysStatus(SysStatus message, long nowNanos) {
         battery(batteries.received(message, nowNanos));
+        ready(readiness.received(message));
+    }
+
+    private void estimated(EkfStatusReport message) {
+        status.placeKnown(ReadinessReports.isPlaceKnown(message));
         ready(readiness.received(message));
     }
 

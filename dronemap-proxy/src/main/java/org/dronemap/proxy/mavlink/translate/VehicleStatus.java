@@ -32,6 +32,7 @@ public final class VehicleStatus {
     private @Nullable Double homeAltitudeAmslMeters;
     private int homeLatitudeE7;
     private int homeLongitudeE7;
+    private boolean lostItsPlace;
     private int currentSeq = -1;
     private int lastSeqReached = -1;
     private @Nullable List<MissionItemInt> mission;
@@ -118,6 +119,15 @@ public final class VehicleStatus {
         return altitudeAmslMeters != null && altitudeAboveHomeMeters != null
                 ? Double.valueOf(altitudeAmslMeters - altitudeAboveHomeMeters)
                 : null;
+    }
+
+    /** Its estimator says that it does not know where it is. */
+    boolean hasLostItsPlace() {
+        return lostItsPlace;
+    }
+
+    void placeKnown(boolean known) {
+        lostItsPlace = !known;
     }
 
     /** Degrees × 1e7; 0 as long as home was not told. */

@@ -255,6 +255,17 @@ class MissionExchangesTest {
                 .isEmpty();
     }
 
+    /** The cloud plans no such item: it is shown, with its figure, and never uploaded. */
+    @Test
+    void tellsTheSpeedThatAMissionChangesTo() {
+        List<MissionItemInt> held =
+                List.of(order(0, 178, new float[] {1, 5, -1, 0}, 0), order(1, 178, new float[] {1, -1, 50, 0}, 0));
+
+        assertThat(MissionCodec.fromWire(held, 0))
+                .containsExactly(
+                        new MissionItem.Other("change speed to 5.0 m/s"), new MissionItem.Other("change speed"));
+    }
+
     private static MissionItemInt order(int seq, int command, float[] settings, int x) {
         return new MissionItemInt(
                 1, 1, seq, 2, command, 0, 1, settings[0], settings[1], settings[2], settings[3], x, 0, 0, 0);

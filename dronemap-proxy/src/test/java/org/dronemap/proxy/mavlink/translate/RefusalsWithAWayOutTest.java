@@ -120,6 +120,24 @@ class RefusalsWithAWayOutTest {
         assertThat(copter(ARMED, GUIDED).perform(goTo(46, 20)).reason()).contains("read its fence");
     }
 
+    /** Areas are on by default (FENCE_TYPE 7), also on a vehicle that has none. */
+    @Test
+    void blamesNoAreasWhereThereAreNone() {
+        fence(1, 7);
+        parameters.put("FENCE_TOTAL", 0f);
+
+        assertThat(copter(ARMED, GUIDED).perform(goTo(46, 20)).code()).isEqualTo(OutcomeCode.VEHICLE_FAILED);
+    }
+
+    @Test
+    void namesTheFloorOfItsOwnFence() {
+        fence(1, 8);
+        parameters.put("FENCE_ALT_MIN", 10f);
+
+        assertThat(copter(ARMED, GUIDED).perform(goTo(46, 5)).reason())
+                .endsWith("The place is 5 m above its home, and its own fence begins at FENCE_ALT_MIN 10 m.");
+    }
+
     @Test
     void blamesNoFenceThatIsOffOrNotThere() {
         fence(0, 7);

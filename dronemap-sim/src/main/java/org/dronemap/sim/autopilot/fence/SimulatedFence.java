@@ -54,7 +54,8 @@ public final class SimulatedFence implements FenceStorage {
                 .add("FENCE_TYPE", INT8, ALL)
                 .add("FENCE_ACTION", INT8, 1)
                 .add("FENCE_ALT_MAX", REAL32, 100)
-                .add("FENCE_RADIUS", REAL32, 300);
+                .add("FENCE_RADIUS", REAL32, 300)
+                .add("FENCE_TOTAL", INT8, 0);
     }
 
     @Override
@@ -72,6 +73,7 @@ public final class SimulatedFence implements FenceStorage {
         }
         items = List.copyOf(newItems);
         shapes = read.shapes();
+        parameters.set("FENCE_TOTAL", items.size());
         sendText(TextSeverity.DEBUG, "Fence Indexed OK");
         return ACCEPTED;
     }
