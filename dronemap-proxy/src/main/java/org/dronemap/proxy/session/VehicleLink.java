@@ -22,6 +22,7 @@ import org.jspecify.annotations.Nullable;
 final class VehicleLink {
     private final LinkOrigin label;
     private final VehicleSender downlink;
+    private final int firstComponent;
     private final LinkMeter meter;
     private final LongSupplier nanoTime;
     private final LongAdder dropped = new LongAdder();
@@ -34,6 +35,7 @@ final class VehicleLink {
     VehicleLink(LinkOrigin label, VehicleSender downlink, Frame first, LongSupplier nanoTime) {
         this.label = label;
         this.downlink = downlink;
+        firstComponent = first.componentId();
         this.nanoTime = nanoTime;
         lastReceivedNanos = nanoTime.getAsLong();
         proof = label.identity() == null ? null : new IdentityProof.OfLink(label.identity());
@@ -76,12 +78,12 @@ final class VehicleLink {
         cut = true;
     }
 
-    /** Another component of the vehicle turned out to be its autopilot: nothing more of this session. Any thread. */
-    void replaced() {
+    /** That component of the vehicle turned out to be its autopilot: nothing more of this session. Any thread. */
+    void replacedBy(int component) {
         cut = true;
         VehicleSession owner = session;
         if (owner != null) {
-            owner.vanish();
+            owner.vanish(component != firstComponent && !label.replay());
         }
     }
 

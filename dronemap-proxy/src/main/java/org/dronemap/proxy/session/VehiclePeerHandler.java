@@ -54,9 +54,9 @@ final class VehiclePeerHandler implements PeerHandler {
             VehicleLink opened = open(choice, frame);
             if (opened != null) {
                 if (link != null) {
-                    link.replaced();
+                    link.replacedBy(frame.componentId());
                 }
-                beforehand.replayTo(opened, systemId);
+                beforehand.replayTo(opened, frame);
                 links.put(systemId, opened);
                 link = opened;
             }

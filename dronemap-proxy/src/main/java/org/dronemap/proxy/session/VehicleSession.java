@@ -143,7 +143,7 @@ final class VehicleSession implements VehicleChannel, Lane.TimedTask {
             return;
         }
         if (bound != null && frame.verified()) {
-            bound.received();
+            bound.received(AutopilotChannel.pace(frame));
         }
         if (bound != null && introduction.contradicts(frame) && !staysBound(bound, now)) {
             return;
@@ -325,6 +325,7 @@ final class VehicleSession implements VehicleChannel, Lane.TimedTask {
             return;
         }
         lane.addTimedTask(this);
+        bound.received(conversation.firstPace());
         conversation.begin(surroundings.now());
         news.publishTo(bound);
     }
@@ -357,10 +358,12 @@ final class VehicleSession implements VehicleChannel, Lane.TimedTask {
     }
 
     /** Nothing more will come: a recording is taken away, and its drone with it, or another session speaks. Any thread. */
-    void vanish() {
+    void vanish(boolean asPart) {
         vanished = true;
         DroneLink bound = link;
-        if (bound != null) {
+        if (bound != null && asPart) {
+            bound.becamePart();
+        } else if (bound != null) {
             bound.disconnect();
         }
     }

@@ -1,5 +1,6 @@
 package org.dronemap.core.cloud.lane;
 
+import java.time.Duration;
 import org.dronemap.core.drone.LinkState;
 
 /**
@@ -15,6 +16,13 @@ public final class Liveness {
     private long lastProbeNanos;
     private double longestGapNanos;
     private volatile boolean everHeard;
+    /** After the first message of a vehicle that speaks seldom it is not known how seldom; satellites: once a minute. */
+    private static final long FIRST_PATIENCE_NANOS = 90_000_000_000L;
+
+    private static final long LONGEST_PATIENCE_NANOS = 600_000_000_000L;
+    private static final int INTERVALS = 3;
+    private long lastSeldomNanos;
+    private long patienceNanos;
 
     public Liveness(Watchdog watchdog) {
         this.watchdog = watchdog;
@@ -30,8 +38,32 @@ public final class Liveness {
         lastProbeNanos = nowNanos;
     }
 
+    /** A message that shows at which pace the vehicle speaks. */
+    public void received(LinkPace pace, long nowNanos) {
+        if (pace == LinkPace.STEADY) {
+            patienceNanos = 0;
+        } else if (pace == LinkPace.SELDOM) {
+            // One that comes twice at once says nothing about the next one.
+            long intervals = Math.max(INTERVALS * (nowNanos - lastSeldomNanos), patienceNanos / 2);
+            patienceNanos = patienceNanos == 0 ? FIRST_PATIENCE_NANOS : Math.min(intervals, LONGEST_PATIENCE_NANOS);
+            lastSeldomNanos = nowNanos;
+        }
+        received(nowNanos);
+    }
+
+    /** How long the next message may take as the vehicle speaks now; zero for one that speaks all the time. */
+    public Duration patience() {
+        return Duration.ofNanos(patienceNanos);
+    }
+
     public LinkState judge(long nowNanos) {
-        return everHeard ? watchdog.judge(nowNanos - lastHeardNanos, (long) longestGapNanos) : LinkState.LOST;
+        return everHeard ? watchdog.judge(unexpectedSilence(nowNanos), (long) longestGapNanos) : LinkState.LOST;
+    }
+
+    /** Without what is to be expected of one that speaks seldom. */
+    private long unexpectedSilence(long nowNanos) {
+        long expected = Math.max(0, patienceNanos - watchdog.lostAfter().toNanos());
+        return Math.max(0, nowNanos - lastHeardNanos - expected);
     }
 
     /** For how long it has been silent; for ever when it was never heard. Any thread. */
@@ -42,7 +74,7 @@ public final class Liveness {
     /** True once a second while the silence wants a probe. */
     public boolean probeDue(long nowNanos) {
         boolean due = everHeard
-                && nowNanos - lastHeardNanos >= watchdog.probeAfter().toNanos()
+                && unexpectedSilence(nowNanos) >= watchdog.probeAfter().toNanos()
                 && nowNanos - lastProbeNanos >= 1_000_000_000L;
         if (due) {
             lastProbeNanos = nowNanos;
