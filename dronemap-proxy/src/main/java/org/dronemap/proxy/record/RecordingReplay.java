@@ -15,8 +15,9 @@ import org.slf4j.LoggerFactory;
  */
 public final class RecordingReplay {
     private static final Logger LOG = LoggerFactory.getLogger(RecordingReplay.class);
-    private static final String NOTHING = "There is not one message of MAVLink in this file; a recording of a link (tlog)"
-            + " is needed. What a vehicle wrote into its own memory (.bin, .ulg) is another kind of file.";
+    private static final String NOTHING =
+            "There is not one message of MAVLink in this file; a recording of a link (tlog)"
+                    + " is needed. What a vehicle wrote into its own memory (.bin, .ulg) is another kind of file.";
     private static final int RECORDS_AT_ONCE = 2_000;
     /** Longer pauses of the recording are cut to this. */
     private static final long LONGEST_PAUSE_MICROS = 10_000_000;

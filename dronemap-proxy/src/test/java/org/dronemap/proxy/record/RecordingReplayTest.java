@@ -180,7 +180,9 @@ class RecordingReplayTest {
 
     @Test
     void saysThatThereIsNoMessageInAFileOfAnotherKind() {
-        tlog.writeBytes("FMT, 128, 89, FMT, BBnNZ, Type,Length,Name,Format,Columns\n".repeat(20).getBytes(US_ASCII));
+        tlog.writeBytes("FMT, 128, 89, FMT, BBnNZ, Type,Length,Name,Format,Columns\n"
+                .repeat(20)
+                .getBytes(US_ASCII));
         RecordingReplay replay = play(10);
         awaitState(replay, ReplayStatus.State.FAILED);
 

@@ -120,6 +120,20 @@ class SatelliteLinkTest {
     }
 
     @Test
+    void oneThatSpeaksAllTheTimeIsLostAsSoonAsAnyOtherThoughItSaysAllInOneMessageToo() {
+        for (int i = 0; i < 20; i++) {
+            says(new Heartbeat(2, 12, 209, 4L << 16 | 4L << 24, 4, 3));
+            time.advance(Duration.ofMillis(500));
+            summary();
+            time.advance(Duration.ofMillis(500));
+        }
+        assertThat(drone().link().state()).isEqualTo(LinkState.LIVE);
+        time.advance(Duration.ofSeconds(6));
+
+        assertThat(drone().link().state()).isEqualTo(LinkState.LOST);
+    }
+
+    @Test
     void aSummaryThatComesTwiceChangesNoRhythm() {
         for (int i = 0; i < 4; i++) {
             time.advance(Duration.ofSeconds(60));

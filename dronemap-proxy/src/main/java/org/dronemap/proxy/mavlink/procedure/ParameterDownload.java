@@ -163,9 +163,9 @@ public final class ParameterDownload implements Exchange {
         }
         gaps.answered(index);
         untold.remove(index);
-        Parameter told = codec.decode(message);
-        Parameter before = byIndex.put(index, told);
-        if (before != null && !before.name().equals(told.name())) {
+        Parameter parameter = codec.decode(message);
+        Parameter before = byIndex.put(index, parameter);
+        if (before != null && !before.name().equals(parameter.name())) {
             beside.put(before.name(), before);
         }
         if (before == null) {
@@ -194,8 +194,8 @@ public final class ParameterDownload implements Exchange {
 
     /** Of a vehicle that has numbered nothing yet; when it is through is known by the count alone. */
     private void unnumbered(ParamValue message, long nowNanos) {
-        Parameter told = codec.decode(message);
-        if (beside.size() < MOST_PARAMETERS && beside.put(told.name(), told) == null) {
+        Parameter parameter = codec.decode(message);
+        if (beside.size() < MOST_PARAMETERS && beside.put(parameter.name(), parameter) == null) {
             patience.progressed(nowNanos);
         }
         if (message.paramCount() > 1 && beside.size() == message.paramCount()) {

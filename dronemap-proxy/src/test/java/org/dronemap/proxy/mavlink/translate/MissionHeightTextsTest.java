@@ -23,8 +23,8 @@ class MissionHeightTextsTest {
         "99, in frame 99"
     })
     void aHeightKeepsItsReference(int frame, String words) {
-        MissionItemInt item = new MissionItemInt(
-                255, 190, 0, frame, SPLINE, 0, 1, 0, 0, 0, 0, 473_977_000, 85_456_000, 60, 0);
+        MissionItemInt item =
+                new MissionItemInt(255, 190, 0, frame, SPLINE, 0, 1, 0, 0, 0, 0, 473_977_000, 85_456_000, 60, 0);
 
         assertThat(MissionCodec.fromWire(List.of(item), 0))
                 .containsExactly(new MissionItem.Other("spline waypoint at 47.397700, 8.545600, 60.0 m " + words));
