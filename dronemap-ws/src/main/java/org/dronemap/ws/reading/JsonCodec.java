@@ -16,6 +16,7 @@ import org.dronemap.ws.problem.RequestProblem;
 import org.dronemap.ws.problem.ValueProblem;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.TokenStreamLocation;
+import tools.jackson.core.exc.StreamConstraintsException;
 import tools.jackson.core.exc.StreamReadException;
 import tools.jackson.databind.DatabindException;
 import tools.jackson.databind.DeserializationFeature;
@@ -112,6 +113,11 @@ public final class JsonCodec {
                             + firstLine(e.getOriginalMessage()) + ".",
                     ProblemParameter.LINE.is(at.getLineNr()),
                     ProblemParameter.COLUMN.is(at.getColumnNr()));
+        }
+        if (e instanceof StreamConstraintsException) {
+            return Rejection.of(
+                    RequestProblem.JSON_UNREADABLE,
+                    "This JSON cannot be read: it is nested too deeply, or has a name, a text or a number that is too long.");
         }
         return Rejection.of(RequestProblem.BODY_NOT_AN_OBJECT, "A JSON object is needed here.");
     }
