@@ -161,9 +161,12 @@ public final class ParameterDownload implements Exchange {
         if (message.paramCount() != count) {
             counted(message.paramCount());
         }
+        numbered(index, codec.decode(message), nowNanos);
+    }
+
+    private void numbered(int index, Parameter parameter, long nowNanos) {
         gaps.answered(index);
         untold.remove(index);
-        Parameter parameter = codec.decode(message);
         Parameter before = byIndex.put(index, parameter);
         if (before != null && !before.name().equals(parameter.name())) {
             beside.put(before.name(), before);
