@@ -1,6 +1,6 @@
 package org.dronemap.core.cloud.lane;
 
-/** What a message shows of the pace at which its vehicle speaks. */
+/** Pace at which a vehicle speaks, as far as one message shows it. */
 public enum LinkPace {
     /** Nothing: an answer, for instance. */
     UNCHANGED,
