@@ -46,7 +46,11 @@ def models(description: dict[str, object]) -> str:
 
 
 def _tidied(text: str) -> str:
-    """Where only one alternative can fit, the order in which they are tried need not be told."""
+    """Where only one alternative can fit, the order in which they are tried need not be told; no list is null."""
+    text = re.sub(
+        r"Annotated\[\s*(list\[\w+\]) \| None,\s*Field\(validate_default=True\),?\s*\] = \[\]", r"\1 = []", text
+    )
+    text = re.sub(r"(: list\[.*\]) \| None = \[\]\n", r"\1 = []\n", text)
     text = text.replace("| dict[str, Any],\n        Field(union_mode", "| UnknownKind,\n        Field(union_mode")
     text = re.sub(
         r"(\n    \w+: )Annotated\[\s*((?:(?!Field\()[^#])+?),\s*Field\(union_mode='left_to_right'\),?\s*\]",

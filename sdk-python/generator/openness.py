@@ -13,11 +13,13 @@ _PREFIX = "#/components/schemas/"
 def opened(description: Schema) -> Schema:
     """The description with every answer readable that an older or a newer server may give.
 
-    What is not known may be left out, a value that this client has no name for stays text, and of several kinds of
-    an object one may be of a kind that it does not know. What clients send stays as strict as it is.
+    What is not known may be left out, and so may a list, which is empty then: a server that is older does not know it
+    yet. A value that this client has no name for stays text, and of several kinds of an object one may be of a kind
+    that it does not know. What clients send stays as strict as it is.
     """
     loose = deepcopy(description)
     schemas = loose["components"]["schemas"]
+    sent = _reached(loose, _bodies(loose))
     for name in _reached(loose, _answers(loose)):
         schema = schemas[name]
         if "oneOf" in schema:
@@ -27,7 +29,9 @@ def opened(description: Schema) -> Schema:
         for member, value in properties.items():
             properties[member] = _open_values(value)
         if "required" in schema:
-            schema["required"] = [m for m in schema["required"] if not _nullable(properties[m])]
+            lists = [m for m in schema["required"] if name not in sent and _is_list(properties[m])]
+            properties.update({m: properties[m] | {"default": []} for m in lists})
+            schema["required"] = [m for m in schema["required"] if m not in lists and not _nullable(properties[m])]
     return loose
 
 
@@ -76,9 +80,19 @@ def _open_values(value: Schema) -> Schema:
     return {"anyOf": kinds} | {k: v for k, v in value.items() if k == "description"}
 
 
+def _is_list(value: Schema) -> bool:
+    return value.get("type") == "array"
+
+
 def _nullable(value: Schema) -> bool:
     kind = value.get("type")
     return (isinstance(kind, list) and "null" in kind) or {"type": "null"} in value.get("anyOf", [])
+
+
+def _bodies(description: Schema) -> Iterator[Schema]:
+    for operations in description["paths"].values():
+        for operation in operations.values():
+            yield operation.get("requestBody", {})
 
 
 def _answers(description: Schema) -> Iterator[Schema]:

@@ -3,7 +3,8 @@
 import json
 from typing import Any
 
-from pydantic import TypeAdapter
+import pytest
+from pydantic import TypeAdapter, ValidationError
 
 from dronemap import Dronemap, models
 from dronemap.contract.model import UnknownKind
@@ -39,6 +40,20 @@ def test_facts_that_an_older_server_does_not_tell_are_not_known(server: Dronemap
     mock.add_drone("alpha")
     state = server.drone("alpha").state
     assert (state.outlook, state.home, state.firmware) == (None, None, None)
+
+
+def test_lists_that_an_older_server_does_not_tell_are_empty() -> None:
+    battery = models.DroneBatteryView.model_validate({"percent": 80})
+    other = models.DroneBatteryView.model_validate({"percent": 70})
+    assert battery.further == []
+    assert battery.further is not other.further
+    told = {"percent": 80, "further": [{"number": 1, "percent": 20}]}
+    assert [each.percent for each in models.DroneBatteryView.model_validate(told).further] == [20]
+
+
+def test_lists_that_this_client_sends_are_still_needed() -> None:
+    with pytest.raises(ValidationError):
+        models.PolygonGeometry.model_validate({"type": "Polygon"})
 
 
 def test_outcome_that_this_client_has_no_name_for_is_not_known(server: Dronemap, mock: MockTransport) -> None:

@@ -4,6 +4,7 @@
  */
 import { readFileSync, writeFileSync } from 'node:fs';
 import openapiTS, { astToString, COMMENT_HEADER, type OpenAPI3 } from 'openapi-typescript';
+import { withAddedMembersOptional } from './added-members.js';
 import { brokenReferences, faultsOf, type Description } from './asyncapi.js';
 import { differentMembers, mergedSchemas } from './merged-schemas.js';
 import { openApiFaults } from './openapi-rules.js';
@@ -17,7 +18,7 @@ const rest = JSON.parse(restText) as OpenAPI3;
 const stream = JSON.parse(readFileSync(new URL('asyncapi.json', WIRE), 'utf8')) as Description;
 
 async function schemasSource(): Promise<string> {
-  const ast = await openapiTS(mergedSchemas(rest, stream), {
+  const ast = await openapiTS(withAddedMembersOptional(mergedSchemas(rest, stream)), {
     rootTypes: true,
     rootTypesNoSchemaPrefix: true,
     rootTypesKeepCasing: true,

@@ -172,14 +172,14 @@ class CommandView(Model):
         ]
         | str
     )
-    warnings: list[str]
+    warnings: list[str] = []
     """
     What may be a slip of the hand, such as a far place; told once, to who gave the command
     """
 
 
 class Commands(Model):
-    commands: list[CommandView]
+    commands: list[CommandView] = []
 
 
 class ControlAskRequest(Model):
@@ -272,7 +272,7 @@ class ControlView(Model):
     Taken on purpose and kept by heartbeats; else it came with a command and ends 30 s later, in the air once its user looks at the drone no more as well
     """
     holder: str | None = None
-    requests: list[ControlAskedView]
+    requests: list[ControlAskedView] = []
     """
     Who asks the holder for control, oldest first
     """
@@ -420,7 +420,7 @@ class DtlsKeyView(Model):
 
 
 class DtlsKeys(Model):
-    dtls_keys: list[DtlsKeyView]
+    dtls_keys: list[DtlsKeyView] = []
 
 
 class EmergencyStopCommand(Model):
@@ -475,7 +475,7 @@ class EndpointView(Model):
     counts: EndpointCounts
     id: str
     origin: Literal["configured", "added"] | str
-    peers: list[EndpointPeerView]
+    peers: list[EndpointPeerView] = []
     reason: str | None = None
     state: Literal["open", "connecting", "failed"] | str
     transport: str
@@ -483,7 +483,7 @@ class EndpointView(Model):
 
 
 class Endpoints(Model):
-    endpoints: list[EndpointView]
+    endpoints: list[EndpointView] = []
 
 
 class EnrolRequest(Model):
@@ -533,7 +533,7 @@ class EventView(Model):
 
 class Events(Model):
     drone: str
-    events: list[EventView]
+    events: list[EventView] = []
     from_: Annotated[AwareDatetime, Field(alias="from")]
     more: bool
     until: AwareDatetime
@@ -613,8 +613,8 @@ class FenceReturnPointView(Model):
 
 
 class FieldSeries(Model):
-    least: list[float | None]
-    most: list[float | None]
+    least: list[float | None] = []
+    most: list[float | None] = []
     name: str
     unit: str
 
@@ -625,13 +625,13 @@ class FleetRequest(Model):
 
 
 class FleetView(Model):
-    drones: list[str]
+    drones: list[str] = []
     id: str
     name: str
 
 
 class Fleets(Model):
-    fleets: list[FleetView]
+    fleets: list[FleetView] = []
 
 
 class FlightChargeView(Model):
@@ -681,7 +681,7 @@ class FlightView(Model):
     """
     What the cloud conducted with it
     """
-    recordings: list[str]
+    recordings: list[str] = []
     """
     Ids of recordings of it
     """
@@ -689,14 +689,14 @@ class FlightView(Model):
     start: AwareDatetime
     state: Literal["running", "lost", "ended"] | str
     take_off: FlightSpotView | None = None
-    users: list[str]
+    users: list[str] = []
     """
     Who commanded it; empty: nobody here
     """
 
 
 class Flights(Model):
-    flights: list[FlightView]
+    flights: list[FlightView] = []
     next: str | None = None
 
 
@@ -881,7 +881,7 @@ class GiftView(Model):
 
 
 class Gifts(Model):
-    gifts: list[GiftView]
+    gifts: list[GiftView] = []
 
 
 class GoToCommand(Model):
@@ -961,7 +961,7 @@ class GrantView(Model):
     from_: Annotated[AwareDatetime, Field(alias="from")]
     group: str | None = None
     id: str
-    operations: list[Literal["view", "plan", "command", "administer"] | str]
+    operations: list[Literal["view", "plan", "command", "administer"] | str] = []
     state: Literal["inForce", "toCome", "over"] | str
     until: AwareDatetime | None = None
     user: str | None = None
@@ -969,7 +969,7 @@ class GrantView(Model):
 
 
 class Grants(Model):
-    grants: list[GrantView]
+    grants: list[GrantView] = []
 
 
 class GroupRequest(Model):
@@ -979,13 +979,13 @@ class GroupRequest(Model):
 
 class GroupView(Model):
     id: str
-    members: list[str]
+    members: list[str] = []
     name: str
     only_granted: bool
 
 
 class Groups(Model):
-    groups: list[GroupView]
+    groups: list[GroupView] = []
 
 
 class HealthDroneCounts(Model):
@@ -999,7 +999,7 @@ class HealthDroneCounts(Model):
 class HealthEnd(Model):
     at: int
     part: str
-    peers: list[str]
+    peers: list[str] = []
     why: str
 
 
@@ -1079,7 +1079,7 @@ class InvitationView(Model):
 
 
 class Invitations(Model):
-    invitations: list[InvitationView]
+    invitations: list[InvitationView] = []
 
 
 class JournalEntryView(Model):
@@ -1141,7 +1141,7 @@ class LandItem(Model):
 class LeftBehindView(Model):
     id: str
     name: str
-    outstanding: list[DroneOutstandingView]
+    outstanding: list[DroneOutstandingView] = []
     since: AwareDatetime
 
 
@@ -1303,7 +1303,7 @@ class OrganisationView(Model):
 
 
 class Organisations(Model):
-    organisations: list[OrganisationView]
+    organisations: list[OrganisationView] = []
 
 
 class OtherItem(Model):
@@ -1364,11 +1364,11 @@ class OutletRefusedView(Model):
 
 
 class OutletView(Model):
-    clients: list[OutletClientView]
+    clients: list[OutletClientView] = []
     dropped: int
-    endpoints: list[str]
+    endpoints: list[str] = []
     not_passed: int
-    ports: list[OutletPortView]
+    ports: list[OutletPortView] = []
     refused: OutletRefusedView
 
 
@@ -1405,10 +1405,10 @@ class OutlookView(Model):
 
 
 class OwnOutletView(Model):
-    clients: list[OutletClientView]
-    endpoints: list[str]
+    clients: list[OutletClientView] = []
+    endpoints: list[str] = []
     passphrase_set: bool
-    ports: list[OutletPortView]
+    ports: list[OutletPortView] = []
 
 
 class ParameterValueRequest(Model):
@@ -1435,7 +1435,7 @@ class ParametersLeftOutView(Model):
 
 
 class ParametersView(Model):
-    parameters: list[ParameterView]
+    parameters: list[ParameterView] = []
     read_at: AwareDatetime | None = None
     total: int
 
@@ -1520,7 +1520,7 @@ class PlanFlightView(Model):
 
 
 class PlanLaunchView(Model):
-    drones: list[PlanFlightView]
+    drones: list[PlanFlightView] = []
     under_way: bool
     """
     Whether something is still under way
@@ -1585,7 +1585,7 @@ class PlanLookAtTask(Model):
 
 class PlanOrderView(Model):
     drone: str
-    waypoints: list[str]
+    waypoints: list[str] = []
 
 
 class PlanPhotoTask(Model):
@@ -1661,7 +1661,7 @@ class PlanStopView(Model):
     latitude: float
     leaves_seconds: float
     longitude: float
-    via: list[PlanPlaceView]
+    via: list[PlanPlaceView] = []
     """
     Passed on the way there, such as turns round zones
     """
@@ -1685,7 +1685,7 @@ Something that is done at a waypoint; which members there are depends on the typ
 
 
 class PlanTourView(Model):
-    back: list[PlanPlaceView]
+    back: list[PlanPlaceView] = []
     """
     From the last stop to the end: the end is the last place
     """
@@ -1701,7 +1701,7 @@ class PlanTourView(Model):
     drone: str
     ends_seconds: float
     name: str
-    stops: list[PlanStopView]
+    stops: list[PlanStopView] = []
     watt_hours: float
 
 
@@ -1808,7 +1808,7 @@ class PointView(Model):
 class Points(Model):
     drone: str
     from_: Annotated[AwareDatetime, Field(alias="from")]
-    points: list[PointView]
+    points: list[PointView] = []
     until: AwareDatetime
 
 
@@ -1982,7 +1982,7 @@ class RenameRequest(Model):
 class ReplayView(Model):
     broken_bytes: int
     broken_runs: int
-    drones: list[str]
+    drones: list[str] = []
     failure: str | None = None
     good_messages: int
     id: str
@@ -1994,7 +1994,7 @@ class ReplayView(Model):
 
 
 class Replays(Model):
-    replays: list[ReplayView]
+    replays: list[ReplayView] = []
 
 
 class ReturnToLaunchCommand(Model):
@@ -2044,7 +2044,7 @@ class RobotKeyView(Model):
 
 
 class RobotKeys(Model):
-    robot_keys: list[RobotKeyView]
+    robot_keys: list[RobotKeyView] = []
 
 
 class RunAnswerRequest(Model):
@@ -2077,7 +2077,7 @@ class RunDroneView(Model):
     """
     id: str
     name: str
-    next: list[str]
+    next: list[str] = []
     """
     The waypoints that it is to visit, in order
     """
@@ -2135,7 +2135,7 @@ class RunJournalView(Model):
     What befell a mission run, in order.
     """
 
-    entries: list[JournalEntryView]
+    entries: list[JournalEntryView] = []
     next: int | None = None
     """
     The number to go on from; null: this was the last part
@@ -2175,7 +2175,7 @@ class RunProposalView(Model):
     after: RunFiguresView
     at: AwareDatetime
     before: RunFiguresView
-    moved: list[RunMovedView]
+    moved: list[RunMovedView] = []
     number: int
     words: str
 
@@ -2277,11 +2277,11 @@ class RunWaypointView(Model):
     latitude: float
     longitude: float
     state: Literal["waiting", "assigned", "reserved", "visited", "unserved", "cancelled"] | str
-    tasks: list[RunTaskView]
+    tasks: list[RunTaskView] = []
     """
     What is done there, and what became of it
     """
-    visits: list[RunVisitView]
+    visits: list[RunVisitView] = []
     why: str | None = None
     """
     Why nobody visits it
@@ -2309,7 +2309,7 @@ class SensedScanView(Model):
     at: AwareDatetime
     first_angle: float
     number: int
-    ranges: list[float | None]
+    ranges: list[float | None] = []
     """
     Metres; null where nothing was met
     """
@@ -2323,10 +2323,10 @@ class SensedView(Model):
 
 class SeriesView(Model):
     drone: str
-    fields: list[FieldSeries]
+    fields: list[FieldSeries] = []
     from_: Annotated[AwareDatetime, Field(alias="from")]
     slot_seconds: float
-    times: list[AwareDatetime]
+    times: list[AwareDatetime] = []
     """
     Of the first point in each slot that has any
     """
@@ -2555,11 +2555,11 @@ class TourView(Model):
     """
     How much shorter the best order may at most be, as a share; 0: this is the best
     """
-    order: list[int]
+    order: list[int] = []
     """
     The waypoints' numbers in the request, from 0, in the order in which to fly them; what cannot be visited comes last
     """
-    unserved: list[PlanUnservedView]
+    unserved: list[PlanUnservedView] = []
     """
     What cannot be visited, and why
     """
@@ -2613,7 +2613,7 @@ class UserView(Model):
 
 
 class Users(Model):
-    users: list[UserView]
+    users: list[UserView] = []
 
 
 class VirtualDroneAreaView(Model):
@@ -2777,7 +2777,7 @@ class WaitingView(Model):
 
 
 class Waitings(Model):
-    waiting: list[WaitingView]
+    waiting: list[WaitingView] = []
 
 
 class WarehouseProspectView(Model):
@@ -2794,11 +2794,11 @@ class WarehouseProspectView(Model):
 
 class WarehouseProspectsView(Model):
     in_warehouse: bool
-    waiting: list[WarehouseProspectView]
+    waiting: list[WarehouseProspectView] = []
 
 
 class WarehouseView(Model):
-    drones: list[VirtualDroneDroneName]
+    drones: list[VirtualDroneDroneName] = []
 
 
 class WaypointItem(Model):
@@ -2902,7 +2902,7 @@ class ZoneProperties(Model):
 
 class AuditPage(Model):
     next: int | None = None
-    records: list[AuditView]
+    records: list[AuditView] = []
 
 
 class BroadcastResult(Model):
@@ -2922,12 +2922,12 @@ class BroadcastResult(Model):
 
 class BroadcastView(Model):
     id: str
-    results: list[BroadcastResult]
+    results: list[BroadcastResult] = []
 
 
 class DroneBatteryView(Model):
     amps: float | None = None
-    further: list[DroneFurtherBatteryView]
+    further: list[DroneFurtherBatteryView] = []
     """
     Batteries beside the main one
     """
@@ -2938,7 +2938,7 @@ class DroneBatteryView(Model):
 class DroneCloudLossView(Model):
     action: str | None = None
     after_seconds: float | None = None
-    outstanding: list[DroneOutstandingView]
+    outstanding: list[DroneOutstandingView] = []
     """
     What its owner had set, and is put back once nobody uses it
     """
@@ -2953,11 +2953,11 @@ class DroneCloudLossView(Model):
 class DroneLinkView(Model):
     address: str
     last_heard: AwareDatetime | None = None
-    others: list[str]
+    others: list[str] = []
     """
     Further addresses on which the same vehicle is heard
     """
-    outdated: list[DroneOutdatedView]
+    outdated: list[DroneOutdatedView] = []
     """
     Parts of the state that the vehicle has stopped telling though it is heard: their values are old. Empty while it is lost, when all is old
     """
@@ -3050,11 +3050,11 @@ class FollowPhoneView(Model):
 
 
 class FollowedEvents(Model):
-    events: list[NumberedEvent]
+    events: list[NumberedEvent] = []
     """
     By their numbers
     """
-    gaps: list[EventGap]
+    gaps: list[EventGap] = []
     """
     Where events are missing, in order
     """
@@ -3065,9 +3065,9 @@ class FollowedEvents(Model):
 
 
 class HealthDetails(Model):
-    ends: list[HealthEnd]
-    parts: list[HealthPart]
-    refused: list[str]
+    ends: list[HealthEnd] = []
+    parts: list[HealthPart] = []
+    refused: list[str] = []
 
 
 KeyArea = TypeAliasType(
@@ -3115,17 +3115,17 @@ class KeyView(Model):
     key: str | None = None
     label: str
     last_used_at: AwareDatetime | None = None
-    operations: list[Literal["view", "plan", "command", "administer"] | str]
+    operations: list[Literal["view", "plan", "command", "administer"] | str] = []
     parent: str | None = None
     role: Literal["reporter", "viewer", "planner", "operator", "supervisor", "administrator"] | str
 
 
 class LeftBehind(Model):
-    drones: list[LeftBehindView]
+    drones: list[LeftBehindView] = []
 
 
 class LinkTraffic(Model):
-    vehicles: list[TrafficView]
+    vehicles: list[TrafficView] = []
 
 
 MissionItemRequest = TypeAliasType(
@@ -3177,14 +3177,14 @@ class MissionRequest(Model):
 
 class ParametersFileView(Model):
     command: CommandView | None = None
-    different: list[ParametersDifferenceView]
-    left_out: list[ParametersLeftOutView]
+    different: list[ParametersDifferenceView] = []
+    left_out: list[ParametersLeftOutView] = []
     """
     Lines of the file that are not taken as they stand, such as those for a gimbal
     """
     same: int
-    unfit: list[ParametersDifferenceView]
-    unknown: list[str]
+    unfit: list[ParametersDifferenceView] = []
+    unknown: list[str] = []
 
 
 PlanObjectiveRequest = TypeAliasType(
@@ -3209,12 +3209,12 @@ class PlanResultView(Model):
     Whether speeds, power and batteries are those of the kind of vehicle, not measured
     """
     ends_seconds: float
-    faults: list[str]
+    faults: list[str] = []
     """
     Why it must not be flown, as sentences of an independent checker; none: it can be
     """
-    tours: list[PlanTourView]
-    unserved: list[PlanUnservedView]
+    tours: list[PlanTourView] = []
+    unserved: list[PlanUnservedView] = []
 
 
 class PlanView(Model):
@@ -3224,7 +3224,7 @@ class PlanView(Model):
 
     asked_at: AwareDatetime
     by: str
-    drones: list[PlanDroneName]
+    drones: list[PlanDroneName] = []
     id: str
     improvements: list[PlanProgressView] | None = None
     """
@@ -3310,7 +3310,7 @@ class PlanWaypointRequest(Model):
 
 
 class RecordingPage(Model):
-    recordings: list[RecordingView]
+    recordings: list[RecordingView] = []
     room: RecordingRoomView
 
 
@@ -3319,7 +3319,7 @@ class RunExplanationView(Model):
     at: AwareDatetime
     before: RunFiguresView | None = None
     drone: str | None = None
-    moved: list[RunMovedView]
+    moved: list[RunMovedView] = []
     number: int
     trigger: (
         Literal[
@@ -3375,7 +3375,7 @@ class SavedMissionView(Model):
     by: str
     changed_at: AwareDatetime
     id: str
-    items: list[MissionItemView]
+    items: list[MissionItemView] = []
     name: str
 
 
@@ -3486,7 +3486,7 @@ class VirtualDroneRunView(Model):
     """
     Waypoints in all
     """
-    unfit: list[VirtualDroneUnfitView]
+    unfit: list[VirtualDroneUnfitView] = []
     """
     Drones that cannot serve now, and why; only those that the asker may see
     """
@@ -3542,8 +3542,8 @@ class ZoneImportView(Model):
     The zones that were added, and what of the file was left out.
     """
 
-    features: list[ZoneFeature]
-    left_out: list[ZoneLeftOutView]
+    features: list[ZoneFeature] = []
+    left_out: list[ZoneLeftOutView] = []
     """
     What became no zone, or not with all that it has; the first 500
     """
@@ -3552,7 +3552,7 @@ class ZoneImportView(Model):
 
 
 class AccessKeys(Model):
-    access_keys: list[KeyView]
+    access_keys: list[KeyView] = []
 
 
 CommandRequest = TypeAliasType(
@@ -3595,7 +3595,7 @@ class DroneMissionView(Model):
     hash: str | None = None
     items: list[MissionItemView] | None = None
     notice: str | None = None
-    reached: list[int]
+    reached: list[int] = []
     running: bool
     state: Literal["stopped", "running", "paused", "complete"] | str | None = None
     total: int | None = None
@@ -3629,10 +3629,10 @@ class DroneView(Model):
     last_update: AwareDatetime
     link: DroneLinkView
     local: DroneLocalView | None = None
-    messages: list[DroneMessageView]
+    messages: list[DroneMessageView] = []
     mission: DroneMissionView
     mode: str | None = None
-    modes: list[str]
+    modes: list[str] = []
     motion: DroneMotionView | None = None
     name: str
     outlook: OutlookView | None = None
@@ -3652,7 +3652,7 @@ class DroneView(Model):
 
 
 class Drones(Model):
-    drones: list[DroneView]
+    drones: list[DroneView] = []
 
 
 class FenceView(Model):
@@ -3722,7 +3722,7 @@ class FollowView(Model):
     """
     How drone and phone are to each other now; null: it is over
     """
-    others: list[FollowOtherView]
+    others: list[FollowOtherView] = []
     """
     Other drones of it: one that comes to replace this one, or that was replaced and flies home
     """
@@ -3740,18 +3740,18 @@ class FollowView(Model):
     """
     allocated: a drone is kept on the ground; suspended: somebody else has the drone
     """
-    told: list[FollowToldView]
+    told: list[FollowToldView] = []
     """
     What it said, the newest 30, the oldest first; first why this drone was chosen
     """
 
 
 class Missions(Model):
-    missions: list[SavedMissionView]
+    missions: list[SavedMissionView] = []
 
 
 class PlanList(Model):
-    plans: list[PlanView]
+    plans: list[PlanView] = []
 
 
 class PlanRequest(Model):
@@ -3790,13 +3790,13 @@ class RunView(Model):
     A plan that drones fly, as it stands.
     """
 
-    barriers: list[ZoneFeature]
+    barriers: list[ZoneFeature] = []
     """
     What its drones keep to as far as the run knows: the cloud's zones in reach, and what was added to the run alone. GeoJSON features like zones; without an id
     """
     began_at: AwareDatetime
     counts: RunCountsView
-    drones: list[RunDroneView]
+    drones: list[RunDroneView] = []
     end: str | None = None
     """
     How it ended
@@ -3805,7 +3805,7 @@ class RunView(Model):
     """
     null: it is under way
     """
-    explanations: list[RunExplanationView]
+    explanations: list[RunExplanationView] = []
     """
     The newest 50, the oldest first
     """
@@ -3826,11 +3826,11 @@ class RunView(Model):
     A changed plan that waits for an answer; null: none does
     """
     state: Literal["running", "paused", "stopping", "over"] | str
-    waypoints: list[RunWaypointView]
+    waypoints: list[RunWaypointView] = []
 
 
 class VirtualDroneList(Model):
-    virtual_drones: list[VirtualDroneView]
+    virtual_drones: list[VirtualDroneView] = []
 
 
 class ZoneCollection(Model):
@@ -3855,8 +3855,8 @@ class BroadcastRequest(Model):
 
 
 class FollowList(Model):
-    follows: list[FollowView]
+    follows: list[FollowView] = []
 
 
 class RunList(Model):
-    runs: list[RunView]
+    runs: list[RunView] = []

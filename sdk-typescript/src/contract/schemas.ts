@@ -176,7 +176,7 @@ export interface components {
             /** Format: double */
             amps: number | null;
             /** @description Batteries beside the main one */
-            further: components["schemas"]["DroneFurtherBatteryView"][];
+            further?: components["schemas"]["DroneFurtherBatteryView"][];
             /** Format: int32 */
             percent: number | null;
             /** Format: double */
@@ -236,7 +236,7 @@ export interface components {
             /** @description Further addresses on which the same vehicle is heard */
             others: string[];
             /** @description Parts of the state that the vehicle has stopped telling though it is heard: their values are old. Empty while it is lost, when all is old */
-            outdated: components["schemas"]["DroneOutdatedView"][];
+            outdated?: components["schemas"]["DroneOutdatedView"][];
             /** Format: int32 */
             port: number;
             quality: components["schemas"]["DroneQualityView"];

@@ -1,7 +1,7 @@
 import type { Drone, DroneKind, LinkState } from '../api/types';
 import { age } from '../ui/format';
 
-type StatePart = Drone['link']['outdated'][number]['part'];
+type StatePart = NonNullable<Drone['link']['outdated']>[number]['part'];
 
 export type Tone = 'neutral' | 'green' | 'amber' | 'red';
 
@@ -94,7 +94,7 @@ const PART_WORDS: Record<StatePart, string> = {
 
 /** What a drone has stopped telling though it is heard, and for how long; null when it tells all. */
 export function outdatedText(drone: Drone, since: (time: string) => number | null): string | null {
-  const parts = drone.link.outdated.map(
+  const parts = (drone.link.outdated ?? []).map(
     ({ part, lastHeard }) => `${PART_WORDS[part]} (${age(since(lastHeard))})`,
   );
   return parts.length === 0 ? null : `Old values: ${parts.join(', ')}`;

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.awaitility.Awaitility.await;
 
 import java.net.http.HttpRequest;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
@@ -67,6 +68,21 @@ class OddFilesTest {
         }
 
         assertThat(takes).containsExactlyInAnyOrder(ZONES, PARAMETERS, RECORDINGS);
+    }
+
+    @Test
+    void moreZonesThanThereIsRoomForAreRefusedWithTheWayOut() {
+        List<String> many = Collections.nCopies(501, feature("Polygon", "[" + RING + "]"));
+        String file = "{\"type\":\"FeatureCollection\",\"features\":[" + String.join(",", many) + "]}";
+
+        TestHttpClient.Answer answer = supervisor.send(
+                ZONES.substring("POST ".length()),
+                request -> request.header("Content-Type", "application/geo+json")
+                        .POST(HttpRequest.BodyPublishers.ofString(file)));
+
+        assertThat(answer.status()).isEqualTo(409);
+        assertThat(answer.json().path("detail").asString())
+                .contains("500 zones at most", "None was added", "import the part of the file");
     }
 
     @Test

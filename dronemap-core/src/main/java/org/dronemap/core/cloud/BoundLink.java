@@ -1,6 +1,7 @@
 package org.dronemap.core.cloud;
 
 import org.dronemap.core.cloud.lane.Lane;
+import org.dronemap.core.cloud.lane.LinkPace;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.event.DroneEvent;
@@ -46,9 +47,9 @@ final class BoundLink implements DroneLink {
     }
 
     @Override
-    public void received() {
+    public void received(LinkPace pace) {
         if (drone.isAttachedTo(session)) {
-            drone.received();
+            drone.received(pace);
         }
     }
 
@@ -76,6 +77,16 @@ final class BoundLink implements DroneLink {
             drone.proved(proof);
             registrations.remember(drone);
         }
+    }
+
+    @Override
+    public void becamePart() {
+        drone.lane().execute(() -> {
+            if (registrations.contains(drone)) {
+                drone.becamePart();
+                registrations.remember(drone);
+            }
+        });
     }
 
     @Override

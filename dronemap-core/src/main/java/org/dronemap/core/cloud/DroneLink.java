@@ -1,6 +1,7 @@
 package org.dronemap.core.cloud;
 
 import org.dronemap.core.cloud.lane.Lane;
+import org.dronemap.core.cloud.lane.LinkPace;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.event.DroneEvent;
@@ -19,7 +20,12 @@ public interface DroneLink {
     boolean isGone();
 
     /** Any valid message came in. */
-    void received();
+    default void received() {
+        received(LinkPace.UNCHANGED);
+    }
+
+    /** Any valid message came in, which shows at which pace the vehicle speaks. */
+    void received(LinkPace pace);
 
     /** News; counts as heard. */
     void accept(DroneEvent event);
@@ -29,6 +35,12 @@ public interface DroneLink {
 
     /** It has shown something of its own only after it was bound. On the lane only. */
     void proved(IdentityProof proof);
+
+    /**
+     * What spoke is a part of a vehicle for which another session speaks, such as a computer beside the autopilot: the
+     * drone is that vehicle, whose hardware is to be told anew. Any thread.
+     */
+    void becamePart();
 
     /** What spoke turned out to be somebody else: a drone that was only made for it goes. Any thread. */
     void withdraw();

@@ -185,6 +185,11 @@ final class DroneProjection {
         return news;
     }
 
+    /** It says all at once, now and then; {@code patience} zero: it speaks all the time. */
+    void seldom(Duration patience) {
+        ages.seldom(clock.instant(), patience);
+    }
+
     void standing(IdentityTrust now) {
         standing = now;
         publish();

@@ -5,6 +5,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Function;
 import org.dronemap.core.cloud.lane.Lane;
+import org.dronemap.core.cloud.lane.LinkPace;
 import org.dronemap.core.cloud.lane.Liveness;
 import org.dronemap.core.cloud.lane.Watchdog;
 import org.dronemap.core.cloud.listener.CloudListener;
@@ -14,6 +15,7 @@ import org.dronemap.core.cloud.rule.RecentModeCommands;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.Identification;
 import org.dronemap.core.drone.IdentityEvidence;
 import org.dronemap.core.drone.IdentityTrust;
 import org.dronemap.core.drone.LinkReport;
@@ -37,6 +39,7 @@ final class ManagedDrone implements Lane.TimedTask {
     private final DroneControl control;
     private final long madeNanos;
     private volatile boolean enrolled;
+    private volatile boolean part;
     private volatile long promisedNanos;
     private volatile @Nullable String promisedIdentity;
     private final RecentModeCommands recentModeCommands = new RecentModeCommands();
@@ -213,11 +216,24 @@ final class ManagedDrone implements Lane.TimedTask {
                 || identity.equals(drone.state().standing().linkIdentity());
     }
 
-    /** Made for a vehicle a moment ago, that showed nothing but its address. Any thread. */
+    /** What spoke for it was a part of a vehicle, whose hardware is not the vehicle's. */
+    void becamePart() {
+        part = true;
+        if (drone.state().standing().strongest() == IdentityEvidence.HARDWARE) {
+            drone.standing(IdentityTrust.UNPROVED);
+        }
+        Identification said = drone.state().identification();
+        drone.apply(new DroneEvent.Identified(
+                new Identification(said.kind(), said.autopilot(), said.vehicle(), said.firmware(), null),
+                drone.state().capabilities()));
+        listener.droneChanged(drone.state());
+    }
+
+    /** Made for a vehicle a moment ago, that showed nothing but its address; or for a part of one. Any thread. */
     boolean isOnlyJustKnown() {
         DroneState state = drone.state();
         return enrolled
-                && lane.activeNanos() - madeNanos < JUST_NANOS
+                && (part || lane.activeNanos() - madeNanos < JUST_NANOS)
                 && state.standing().equals(IdentityTrust.UNPROVED)
                 && state.identification().hardwareUid() == null;
     }
@@ -229,7 +245,14 @@ final class ManagedDrone implements Lane.TimedTask {
     }
 
     void received() {
-        liveness.received(lane.activeNanos());
+        received(LinkPace.UNCHANGED);
+    }
+
+    void received(LinkPace pace) {
+        liveness.received(pace, lane.activeNanos());
+        if (pace != LinkPace.UNCHANGED) {
+            drone.seldom(liveness.patience());
+        }
         drone.received();
         if (replayEnded || drone.state().link().state() != LinkState.LIVE) {
             judge();

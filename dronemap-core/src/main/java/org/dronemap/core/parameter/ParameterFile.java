@@ -25,6 +25,11 @@ public final class ParameterFile {
         return ParameterFileReader.read(text);
     }
 
+    /** The text of a file, in the encoding that it has. */
+    public static String text(byte[] file) {
+        return ParameterFileReader.text(file);
+    }
+
     /** Writes parameters for a vehicle of that number (it matters only to the table form). */
     public static String write(List<Parameter> parameters, Form form, int vehicle) {
         List<String> lines = new ArrayList<>();

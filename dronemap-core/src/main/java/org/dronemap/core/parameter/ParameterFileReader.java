@@ -1,5 +1,6 @@
 package org.dronemap.core.parameter;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -9,8 +10,8 @@ import java.util.regex.Pattern;
 
 /**
  * Reads parameter files as QGroundControl, Mission Planner, MAVProxy and ArduPilot write them: name and value in a line,
- * apart by a comma, an equals sign or blanks, or in the third and fourth of five columns apart by tabs; the rest of a
- * line after # is a remark. Whole numbers may be hexadecimal. Lines that say something else are named, and the others
+ * apart by a comma, an equals sign or blanks, or in the third and fourth of five columns apart by tabs, or by blanks
+ * where an editor made those of them; the rest of a line after # is a remark. Whole numbers may be hexadecimal. Lines that say something else are named, and the others
  * count. Used once, by one thread.
  */
 final class ParameterFileReader {
@@ -20,12 +21,24 @@ final class ParameterFileReader {
     private static final String MARK = "\uFEFF";
     private static final String READ_ONLY = "@READONLY";
     private static final Pattern APART = Pattern.compile("\\s*[,=]\\s*|\\s+");
+    private static final Pattern BLANK_TABLE = Pattern.compile("\\d+\\s+\\d+\\s+\\S+\\s+\\S+\\s+\\d+");
+    /** Java reads more than numbers as programs write them, such as {@code 15d}. */
+    private static final Pattern DECIMAL = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
+
     private static final Pattern HEXADECIMAL = Pattern.compile("[+-]?0[xX][0-9a-fA-F]{1,13}");
 
     private final Map<String, ParameterValue> values = new LinkedHashMap<>();
     private final List<ParameterFileContent.LeftOut> leftOut = new ArrayList<>();
 
+    private String vehicle = "";
+
     private ParameterFileReader() {}
+
+    /** Files are UTF-8, or UTF-16 as some editors of Windows write them, with a mark that says so. */
+    static String text(byte[] file) {
+        boolean wide = file.length > 1 && ((file[0] & 0xFF) == 0xFE || (file[0] & 0xFF) == 0xFF);
+        return new String(file, wide ? StandardCharsets.UTF_16 : StandardCharsets.UTF_8);
+    }
 
     /** Throws {@link IllegalArgumentException} for a file that is too long. */
     static ParameterFileContent read(String text) {
@@ -47,17 +60,9 @@ final class ParameterFileReader {
     }
 
     private void line(String line, int number) {
-        String[] table = line.split("\t", -1);
+        String[] table = line.split(BLANK_TABLE.matcher(line).matches() ? "\\s+" : "\t", -1);
         if (table.length >= TABLE_COLUMNS) {
-            String component = table[1].strip();
-            if (component.equals(AUTOPILOT)) {
-                value(table[2].strip(), table[3].strip(), number);
-            } else {
-                leaveOut(
-                        number,
-                        shortened(table[2].strip()) + " is of component " + shortened(component)
-                                + ", not of the autopilot (component 1).");
-            }
+            row(table[0].strip(), table[1].strip(), table[2].strip(), table[3].strip(), number);
             return;
         }
         String[] pair = APART.split(line, -1);
@@ -69,6 +74,23 @@ final class ParameterFileReader {
             value(pair[0], pair[1], number);
         } else {
             leaveOut(number, "\"" + shortened(line) + "\" is no name with a value.");
+        }
+    }
+
+    private void row(String system, String component, String name, String value, int number) {
+        vehicle = vehicle.isEmpty() ? system : vehicle;
+        if (!system.equals(vehicle)) {
+            leaveOut(
+                    number,
+                    shortened(name) + " is of vehicle " + shortened(system) + ", and the file begins with vehicle "
+                            + shortened(vehicle) + ".");
+        } else if (component.equals(AUTOPILOT)) {
+            value(name, value, number);
+        } else {
+            leaveOut(
+                    number,
+                    shortened(name) + " is of component " + shortened(component)
+                            + ", not of the autopilot (component 1).");
         }
     }
 
@@ -91,7 +113,13 @@ final class ParameterFileReader {
     }
 
     private static double number(String written) {
-        return HEXADECIMAL.matcher(written).matches() ? Long.decode(written) : Double.parseDouble(written);
+        if (HEXADECIMAL.matcher(written).matches()) {
+            return Long.decode(written);
+        }
+        if (!DECIMAL.matcher(written).matches()) {
+            throw new NumberFormatException(written);
+        }
+        return Double.parseDouble(written);
     }
 
     private void leaveOut(int line, String why) {

@@ -67,6 +67,9 @@ class ParameterFileTest {
                 "RTL_ALT 0,5",
                 "A_NAME_THAT_IS_TOO_LONG,1",
                 "RTL_ALT,NaN",
+                "RTL_ALT,15d",
+                "RTL_ALT,0x1p3",
+                "2\t1\tRTL_ALT\t3",
                 "RTL_ALT,0x",
                 "RTL_ALT,",
                 ",5",
@@ -92,6 +95,27 @@ class ParameterFileTest {
         assertThat(read.leftOut())
                 .containsExactly(new ParameterFileContent.LeftOut(
                         2, "MNT_RATE is of component 171, not of the autopilot (component 1)."));
+    }
+
+    @Test
+    void valuesOfAnotherVehicleInTheSameFileAreNotThisOnes() {
+        ParameterFileContent read = ParameterFile.read("3\t1\tMNT_RATE\t20\t4\n4\t1\tRTL_ALT\t7\t4\n3 1 A_B 0x10 9\n");
+
+        assertThat(read.values()).containsExactly(new ParameterValue("MNT_RATE", 20), new ParameterValue("A_B", 16));
+        assertThat(read.leftOut())
+                .containsExactly(new ParameterFileContent.LeftOut(
+                        2, "RTL_ALT is of vehicle 4, and the file begins with vehicle 3."));
+    }
+
+    @Test
+    void filesOfEditorsThatWriteUtf16AreRead() {
+        for (String encoding : List.of("UTF-8", "UTF-16", "UTF-16LE", "UTF-16BE")) {
+            byte[] file = "\uFEFFRTL_ALT,7\r\n".getBytes(java.nio.charset.Charset.forName(encoding));
+
+            assertThat(ParameterFile.read(ParameterFile.text(file)).values())
+                    .as(encoding)
+                    .containsExactly(new ParameterValue("RTL_ALT", 7));
+        }
     }
 
     @ParameterizedTest

@@ -15,6 +15,9 @@ import org.slf4j.LoggerFactory;
  */
 public final class RecordingReplay {
     private static final Logger LOG = LoggerFactory.getLogger(RecordingReplay.class);
+    private static final String NOTHING =
+            "There is not one message of MAVLink in this file; a recording of a link (tlog)"
+                    + " is needed. What a vehicle wrote into its own memory (.bin, .ulg) is another kind of file.";
     private static final int RECORDS_AT_ONCE = 2_000;
     /** Longer pauses of the recording are cut to this. */
     private static final long LONGEST_PAUSE_MICROS = 10_000_000;
@@ -76,7 +79,11 @@ public final class RecordingReplay {
                 status = status(ReplayStatus.State.RUNNING, null);
                 return true;
             }
-            end(cancelled ? ReplayStatus.State.CANCELLED : ReplayStatus.State.FINISHED, null);
+            if (records == 0 && !cancelled) {
+                end(ReplayStatus.State.FAILED, NOTHING);
+            } else {
+                end(cancelled ? ReplayStatus.State.CANCELLED : ReplayStatus.State.FINISHED, null);
+            }
         } catch (IOException e) {
             LOG.warn("The recording {} could not be read", name, e);
             end(ReplayStatus.State.FAILED, "The recording could not be read: " + e.getMessage() + ".");

@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import org.dronemap.core.cloud.SendAuthority;
 import org.dronemap.core.cloud.VehicleChannel;
+import org.dronemap.core.cloud.lane.LinkPace;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Setpoint;
@@ -15,6 +16,8 @@ import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.message.CommandLong;
 import org.dronemap.mavlink.message.ExtendedSysState;
 import org.dronemap.mavlink.message.Heartbeat;
+import org.dronemap.mavlink.message.HighLatency;
+import org.dronemap.mavlink.message.HighLatency2;
 import org.dronemap.mavlink.message.MissionItemInt;
 import org.dronemap.proxy.mavlink.procedure.CommandSendTimes;
 import org.dronemap.proxy.mavlink.procedure.GimbalControl;
@@ -56,6 +59,7 @@ final class AutopilotChannel {
     private final MissionWatch missions;
     private final TimesyncResponder time;
     private final GimbalControl gimbal;
+    private final LinkPace firstPace;
     private boolean known;
     private long lastHeartbeatNanos;
 
@@ -76,6 +80,7 @@ final class AutopilotChannel {
         target = new MavlinkTarget(
                 first.systemId(), first.componentId(), links::send, links::roundTrip, new CommandSendTimes());
         family = heartbeat.autopilot();
+        firstPace = pace(first);
         autopilot = AutopilotAdapter.of(heartbeat);
         status = new VehicleStatus(heartbeat.type(), anyNumber(nanoTime.getAsLong()));
         telemetry = new TelemetryTranslator(autopilot, status, this::publish);
@@ -103,6 +108,20 @@ final class AutopilotChannel {
 
     VehicleStatus status() {
         return status;
+    }
+
+    /** What its first frame showed of that, before anybody listened. */
+    LinkPace firstPace() {
+        return firstPace;
+    }
+
+    /** What a frame shows of the pace at which its vehicle speaks. */
+    static LinkPace pace(Frame frame) {
+        return switch (frame.messageId()) {
+            case Heartbeat.ID -> LinkPace.STEADY;
+            case HighLatency.ID, HighLatency2.ID -> LinkPace.SELDOM;
+            default -> LinkPace.UNCHANGED;
+        };
     }
 
     /** Another component of the vehicle said something. */

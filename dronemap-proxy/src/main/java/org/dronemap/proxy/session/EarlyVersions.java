@@ -7,18 +7,28 @@ import org.dronemap.mavlink.message.AutopilotVersion;
 
 /** Keeps the AUTOPILOT_VERSION of vehicles that sent it before their first heartbeat opened a session. */
 final class EarlyVersions {
-    private final Map<Integer, Frame> versions = new HashMap<>();
+    private static final int MOST = 256;
 
-    /** At most one frame a system id. */
-    void received(Frame frame) {
-        if (frame.messageId() == AutopilotVersion.ID) {
-            versions.put(frame.systemId(), frame);
+    /** By system and component: parts of a vehicle have versions of their own. */
+    private final Map<Key, Frame> versions = new HashMap<>();
+
+    private record Key(int system, int component) {
+        static Key of(Frame frame) {
+            return new Key(frame.systemId(), frame.componentId());
         }
     }
 
-    /** Tells a link, just opened by a heartbeat, what was said before. */
-    void replayTo(VehicleLink link, int systemId) {
-        Frame version = versions.remove(systemId);
+    /** At most one frame a component, for at most so many. */
+    void received(Frame frame) {
+        if (frame.messageId() == AutopilotVersion.ID
+                && (versions.size() < MOST || versions.containsKey(Key.of(frame)))) {
+            versions.put(Key.of(frame), frame);
+        }
+    }
+
+    /** Tells a link, just opened by this heartbeat, what its sender said before. */
+    void replayTo(VehicleLink link, Frame heartbeat) {
+        Frame version = versions.remove(Key.of(heartbeat));
         if (version != null) {
             link.offer(version);
         }

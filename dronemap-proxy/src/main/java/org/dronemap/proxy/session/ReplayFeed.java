@@ -48,7 +48,7 @@ public final class ReplayFeed {
                     }
                     choice.chosen(frame);
                     links.put(systemId, opened);
-                    beforehand.replayTo(opened, systemId);
+                    beforehand.replayTo(opened, frame);
                     link = opened;
                 } else if (link == null) {
                     beforehand.received(frame);
@@ -76,7 +76,7 @@ public final class ReplayFeed {
     /** Takes its drones away. Any thread. */
     public void vanish() {
         synchronized (links) {
-            sessions().forEach(VehicleSession::vanish);
+            sessions().forEach(session -> session.vanish(false));
         }
     }
 

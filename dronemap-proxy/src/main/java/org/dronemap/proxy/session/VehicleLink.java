@@ -22,6 +22,7 @@ import org.jspecify.annotations.Nullable;
 final class VehicleLink {
     private final LinkOrigin label;
     private final VehicleSender downlink;
+    private final int firstComponent;
     private final LinkMeter meter;
     private final LongSupplier nanoTime;
     private final LongAdder dropped = new LongAdder();
@@ -34,6 +35,7 @@ final class VehicleLink {
     VehicleLink(LinkOrigin label, VehicleSender downlink, Frame first, LongSupplier nanoTime) {
         this.label = label;
         this.downlink = downlink;
+        firstComponent = first.componentId();
         this.nanoTime = nanoTime;
         lastReceivedNanos = nanoTime.getAsLong();
         proof = label.identity() == null ? null : new IdentityProof.OfLink(label.identity());
@@ -81,7 +83,8 @@ final class VehicleLink {
         cut = true;
         VehicleSession owner = session;
         if (owner != null) {
-            owner.replacedBy(autopilot.session());
+            boolean asPart = autopilot.firstComponent != firstComponent && !label.replay();
+            owner.replacedBy(autopilot.session(), asPart);
         }
     }
 

@@ -56,7 +56,7 @@ final class VehiclePeerHandler implements PeerHandler {
                 if (link != null) {
                     link.replacedBy(opened);
                 }
-                beforehand.replayTo(opened, systemId);
+                beforehand.replayTo(opened, frame);
                 links.put(systemId, opened);
                 link = opened;
             }

@@ -144,7 +144,7 @@ final class VehicleSession implements VehicleChannel, Lane.TimedTask {
             return;
         }
         if (bound != null && frame.verified()) {
-            bound.received();
+            bound.received(AutopilotChannel.pace(frame));
         }
         if (bound != null && introduction.contradicts(frame) && !staysBound(bound, now)) {
             return;
@@ -313,6 +313,7 @@ final class VehicleSession implements VehicleChannel, Lane.TimedTask {
             return;
         }
         lane.addTimedTask(this);
+        bound.received(conversation.firstPace());
         conversation.begin(surroundings.now());
         news.publishTo(bound);
     }
@@ -345,18 +346,23 @@ final class VehicleSession implements VehicleChannel, Lane.TimedTask {
     }
 
     /** Nothing more will come: a recording is taken away, and its drone with it, or another session speaks. Any thread. */
-    void vanish() {
+    void vanish(boolean asPart) {
         vanished = true;
         DroneLink bound = link;
-        if (bound != null) {
+        if (bound != null && asPart) {
+            bound.becamePart();
+        } else if (bound != null) {
             bound.disconnect();
         }
     }
 
-    /** Another component of the vehicle is its autopilot, and that session will speak for the drone. Any thread. */
-    void replacedBy(@Nullable VehicleSession autopilot) {
+    /**
+     * Another component of the vehicle is its autopilot, and that session will speak for the drone. {@code asPart}: this one
+     * was a component of the same vehicle. Any thread.
+     */
+    void replacedBy(@Nullable VehicleSession autopilot, boolean asPart) {
         takeover.begin(autopilot);
-        vanish();
+        vanish(asPart);
     }
 
     @Override

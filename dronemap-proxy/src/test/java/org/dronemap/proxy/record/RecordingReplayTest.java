@@ -1,5 +1,6 @@
 package org.dronemap.proxy.record;
 
+import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -175,6 +176,17 @@ class RecordingReplayTest {
         awaitState(replay, ReplayStatus.State.FAILED);
 
         assertThat(replay.status().failure()).isEqualTo("The recording could not be read: the disk is gone.");
+    }
+
+    @Test
+    void saysThatThereIsNoMessageInAFileOfAnotherKind() {
+        tlog.writeBytes("FMT, 128, 89, FMT, BBnNZ, Type,Length,Name,Format,Columns\n"
+                .repeat(20)
+                .getBytes(US_ASCII));
+        RecordingReplay replay = play(10);
+        awaitState(replay, ReplayStatus.State.FAILED);
+
+        assertThat(replay.status().failure()).contains("not one message of MAVLink", "tlog");
     }
 
     @Test

@@ -28,6 +28,8 @@ import org.dronemap.proxy.endpoint.PeerAddress;
 import org.dronemap.proxy.endpoint.PeerHandler;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Which of the components that call themselves a vehicle is the drone. */
 class SeveralComponentsTest {
@@ -245,6 +247,75 @@ class SeveralComponentsTest {
             says(AUTOPILOT, version(0xc0ffee));
         });
         assertThat(cloud.cloud().drones()).hasSize(1).allMatch(known);
+    }
+
+    /** As a computer that forwards its own version does. */
+    private void companionWithABoard() {
+        companion();
+        says(COMPANION, version(0xbad));
+    }
+
+    private List<String> boards() {
+        return cloud.cloud().drones().stream()
+                .map(drone -> String.valueOf(drone.identification().hardwareUid()))
+                .toList();
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {3, 200})
+    void aCompanionWithABoardOfItsOwnLeavesNoDroneOfItsOwn(int secondsBefore) {
+        speak(secondsBefore, this::companionWithABoard);
+        assertThat(boards()).containsExactly("bad");
+        DroneState before = drone();
+
+        speak(20, () -> {
+            companionWithABoard();
+            autopilot();
+            says(AUTOPILOT, version(0xc0ffee));
+        });
+
+        isTheAutopilot();
+        assertThat(boards()).containsExactly("c0ffee");
+        assertThat(drone().id()).isEqualTo(before.id());
+    }
+
+    @Test
+    void aKnownVehicleThatComesBackBehindItsCompanionIsTheOnlyDrone() {
+        speak(4, () -> {
+            autopilot();
+            says(AUTOPILOT, version(0xc0ffee));
+        });
+        DroneState known = drone();
+        time.advance(Duration.ofSeconds(200));
+        PeerHandler elsewhere = cloud.opened(new CapturingPeer("udp", new PeerAddress("127.0.0.1", 15_932)));
+        FrameWriter companion = new FrameWriter(33, COMPANION, 2);
+        FrameWriter autopilot = new FrameWriter(33, AUTOPILOT, 2);
+        Runnable board = () -> {
+            elsewhere.received(ByteBuffer.wrap(companion.frame(CLAIMS_TO_BE_A_COPTER)));
+            elsewhere.received(ByteBuffer.wrap(companion.frame(version(0xbad))));
+        };
+        speak(150, board);
+        assertThat(boards()).containsExactlyInAnyOrder("c0ffee", "bad");
+
+        speak(20, () -> {
+            board.run();
+            elsewhere.received(ByteBuffer.wrap(autopilot.frame(GUIDED_AND_ARMED)));
+            elsewhere.received(ByteBuffer.wrap(autopilot.frame(version(0xc0ffee))));
+        });
+
+        assertThat(boards()).containsExactly("c0ffee");
+        assertThat(drone().id()).isEqualTo(known.id());
+        assertThat(drone().mode()).isEqualTo("GUIDED");
+    }
+
+    @Test
+    void aGroundStationWithTheNumbersOfTheAutopilotIsNotTheAutopilot() {
+        speak(4, () -> {
+            autopilot();
+            says(AUTOPILOT, new Heartbeat(6, 8, 0, 0, 4, 3));
+            says(AUTOPILOT, new Heartbeat(0, 8, 0, 0, 4, 3));
+        });
+        isTheAutopilot();
     }
 
     private static AutopilotVersion version(long uid) {

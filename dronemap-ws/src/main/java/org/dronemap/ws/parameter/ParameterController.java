@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
+import org.dronemap.core.parameter.ParameterFile;
 import org.dronemap.ws.access.Access;
 import org.dronemap.ws.access.AccessLevel;
 import org.dronemap.ws.access.RequestCost;
@@ -125,7 +126,7 @@ class ParameterController {
             @RequestParam(defaultValue = "false") boolean dryRun,
             @Parameter(hidden = true) HttpServletRequest request)
             throws IOException {
-        String text = new String(request.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        String text = ParameterFile.text(request.getInputStream().readAllBytes());
         ParametersView.FileView result =
                 dryRun ? parameters.compare(current.caller(), id, text) : parameters.load(current.caller(), id, text);
         return ResponseEntity.status(result.command() == null ? 200 : 202).body(result);

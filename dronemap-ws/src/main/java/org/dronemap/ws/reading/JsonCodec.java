@@ -16,6 +16,7 @@ import org.dronemap.ws.problem.RequestProblem;
 import org.dronemap.ws.problem.ValueProblem;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.TokenStreamLocation;
+import tools.jackson.core.exc.StreamConstraintsException;
 import tools.jackson.core.exc.StreamReadException;
 import tools.jackson.databind.DatabindException;
 import tools.jackson.databind.DeserializationFeature;
@@ -113,7 +114,18 @@ public final class JsonCodec {
                     ProblemParameter.LINE.is(at.getLineNr()),
                     ProblemParameter.COLUMN.is(at.getColumnNr()));
         }
-        return Rejection.of(RequestProblem.BODY_NOT_AN_OBJECT, "A JSON object is needed here.");
+        return e instanceof StreamConstraintsException
+                ? beyondLimits(e)
+                : Rejection.of(RequestProblem.BODY_NOT_AN_OBJECT, "A JSON object is needed here.");
+    }
+
+    private static Rejection beyondLimits(JacksonException e) {
+        TokenStreamLocation at = e.getLocation() == null ? TokenStreamLocation.NA : e.getLocation();
+        return Rejection.of(
+                RequestProblem.JSON_UNREADABLE,
+                "This JSON cannot be read: it is nested too deeply, or has a name, a text or a number that is too long.",
+                ProblemParameter.LINE.is(at.getLineNr()),
+                ProblemParameter.COLUMN.is(at.getColumnNr()));
     }
 
     private static String known(UnrecognizedPropertyException unknown) {

@@ -1,6 +1,7 @@
 package org.dronemap.ws.zone;
 
 import java.util.List;
+import java.util.Map;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ValueProblem;
@@ -9,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import tools.jackson.core.JacksonException;
 import tools.jackson.core.JsonParser;
 import tools.jackson.core.JsonToken;
+import tools.jackson.core.json.JsonReadFeature;
 import tools.jackson.databind.DeserializationFeature;
 import tools.jackson.databind.JsonNode;
 import tools.jackson.databind.json.JsonMapper;
@@ -21,6 +23,8 @@ import tools.jackson.databind.node.MissingNode;
 final class GeoJsonZoneReader {
     private static final JsonMapper MAPPER = JsonMapper.builder()
             .disable(DeserializationFeature.FAIL_ON_UNKNOWN_PROPERTIES)
+            // Python writes NaN, which is no JSON; it concerns its own feature alone.
+            .enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS)
             // Feature by feature, each with others behind it.
             .disable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
             .build();
@@ -61,6 +65,7 @@ final class GeoJsonZoneReader {
             case "type" -> type = value == JsonToken.VALUE_STRING ? parser.getString() : String.valueOf(value);
             case "geometry" -> geometry = MAPPER.readTree(parser);
             case "properties" -> properties = MAPPER.readTree(parser);
+            case "crs" -> GeoJsonReferenceSystem.check(MAPPER.readTree(parser));
             case "features" -> {
                 if (value != JsonToken.START_ARRAY) {
                     throw InvalidInput.missing("features", "a list with at least one feature");
@@ -106,8 +111,21 @@ final class GeoJsonZoneReader {
     }
 
     private static @Nullable String text(@Nullable JsonNode properties) {
-        JsonNode name = properties == null ? null : properties.get("name");
+        JsonNode name = properties == null ? null : named(properties);
         return name == null || name.isNull() || !name.isValueNode() ? null : name.asString();
+    }
+
+    /** Programs write NAME and Name as well. */
+    private static @Nullable JsonNode named(JsonNode properties) {
+        JsonNode exact = properties.get("name");
+        return exact != null || !properties.isObject()
+                ? exact
+                : properties
+                        .propertyStream()
+                        .filter(each -> each.getKey().equalsIgnoreCase("name"))
+                        .findFirst()
+                        .map(Map.Entry::getValue)
+                        .orElse(null);
     }
 
     private void area(Piece piece, String field, @Nullable JsonNode given) {
@@ -141,6 +159,9 @@ final class GeoJsonZoneReader {
     private static List<JsonNode> children(JsonNode list, String at) {
         if (!list.isArray()) {
             throw InvalidInput.missing(at + ".coordinates", "a list");
+        }
+        if (list.isEmpty()) {
+            throw InvalidInput.missing(at, "a geometry with at least one area");
         }
         return list.valueStream().toList();
     }

@@ -16,6 +16,7 @@ final class KmlPolygon {
     /** Of these KML itself ignores the heights. */
     private static final Set<String> ON_THE_GROUND = Set.of("clampToGround", "clampToSeaFloor");
 
+    private static final Pattern NUMBER = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
     private static final int NUMBERS = 3;
 
     private final String field;
@@ -35,11 +36,13 @@ final class KmlPolygon {
 
     void ring(String written) {
         String stripped = written.strip();
+        if (stripped.isEmpty()) {
+            // Programs write a hole that is none.
+            return;
+        }
         List<List<Double>> ring = new ArrayList<>();
-        if (!stripped.isEmpty()) {
-            for (String corner : BLANKS.split(COMMA.matcher(stripped).replaceAll(","), -1)) {
-                ring.add(corner(corner));
-            }
+        for (String corner : BLANKS.split(COMMA.matcher(stripped).replaceAll(","), -1)) {
+            ring.add(corner(corner));
         }
         rings.add(ring);
     }
@@ -52,17 +55,25 @@ final class KmlPolygon {
                 throw malformed(written);
             }
             if (numbers.length == NUMBERS) {
-                double height = Double.parseDouble(numbers[2]);
+                double height = number(numbers[2]);
                 lowest = Math.min(lowest, height);
                 highest = Math.max(highest, height);
             }
-            return List.of(Double.parseDouble(numbers[0]), Double.parseDouble(numbers[1]));
+            return List.of(number(numbers[0]), number(numbers[1]));
         } catch (NumberFormatException e) {
             fault = fault == null ? malformed(written) : fault;
         } catch (InvalidInput e) {
             fault = fault == null ? e : fault;
         }
         return List.of();
+    }
+
+    /** Java reads more than numbers as files have them, such as {@code 9.1d}. */
+    private static double number(String written) {
+        if (!NUMBER.matcher(written).matches()) {
+            throw new NumberFormatException(written);
+        }
+        return Double.parseDouble(written);
     }
 
     private InvalidInput malformed(String written) {

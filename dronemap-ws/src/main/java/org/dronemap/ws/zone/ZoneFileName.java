@@ -1,6 +1,7 @@
 package org.dronemap.ws.zone;
 
 import java.util.Optional;
+import java.util.regex.Pattern;
 import org.dronemap.ws.problem.InvalidInput;
 import org.dronemap.ws.problem.ValueProblem;
 import org.jspecify.annotations.Nullable;
@@ -10,9 +11,16 @@ import org.jspecify.annotations.Nullable;
  * zones.
  */
 record ZoneFileName(String whole) {
+    private static final Pattern BLANK = Pattern.compile("[\\s\\p{Cntrl}]+");
+    /** Half a letter, and what is none: XML cannot carry them. */
+    private static final Pattern NO_TEXT = Pattern.compile("[\\p{Cs}\\uFFFE\\uFFFF]");
+
     static ZoneFileName of(@Nullable String given, String fallback) {
-        String line =
-                given == null ? "" : given.replaceAll("[\\s\\p{Cntrl}]+", " ").strip();
+        String line = given == null
+                ? ""
+                : BLANK.matcher(NO_TEXT.matcher(given).replaceAll("?"))
+                        .replaceAll(" ")
+                        .strip();
         return new ZoneFileName(line.isEmpty() ? fallback : line);
     }
 

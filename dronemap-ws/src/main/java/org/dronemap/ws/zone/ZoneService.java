@@ -118,7 +118,9 @@ public final class ZoneService {
             throw Rejection.of(
                     ServerProblem.LIMIT_REACHED,
                     "There may be " + MOST + " zones at most; there are " + known.size() + " already, and these are "
-                            + more + " more.",
+                            + more
+                            + " more. None was added: remove zones that are no longer needed, or import the part of"
+                            + " the file where drones fly.",
                     ProblemParameter.WHAT.is("zones"),
                     ProblemParameter.MOST.is(MOST));
         }

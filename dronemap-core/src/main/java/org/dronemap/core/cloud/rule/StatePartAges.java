@@ -21,6 +21,8 @@ public final class StatePartAges {
 
     private final Map<StatePart, Received> parts = new EnumMap<>(StatePart.class);
     private List<OutdatedPart> outdated = List.of();
+    private @Nullable Instant seldomAt;
+    private Duration seldomPatience = Duration.ZERO;
 
     private record Received(Instant at, Duration interval) {}
 
@@ -41,6 +43,12 @@ public final class StatePartAges {
             case PARAMETERS_READ, PARAMETER, LOGS_READ, FENCE_READ, RALLY_POINTS_READ -> {}
             case PHOTO, OUTPUTS, READING, WIND, SCAN, PICTURE, MAP, TEXT -> {}
         }
+    }
+
+    /** From now on, as long as {@code patience} is not zero: what is told has so much time until it is told again. */
+    public void seldom(Instant at, Duration patience) {
+        seldomAt = patience.isZero() ? null : at;
+        seldomPatience = patience;
     }
 
     private void mode(DroneEvent.ModeReported told, Instant at) {
@@ -75,11 +83,16 @@ public final class StatePartAges {
         return outdated;
     }
 
+    private boolean isSeldom(Received part) {
+        return seldomAt != null && !part.at().isBefore(seldomAt) && seldomPatience.compareTo(SHORTEST) > 0;
+    }
+
     private List<OutdatedPart> outdatedAt(Instant now) {
         List<OutdatedPart> found = new ArrayList<>();
         parts.forEach((part, received) -> {
             Duration longest = received.interval().multipliedBy(INTERVALS);
-            Duration patience = longest.compareTo(SHORTEST) > 0 ? longest : SHORTEST;
+            Duration shortest = isSeldom(received) ? seldomPatience : SHORTEST;
+            Duration patience = longest.compareTo(shortest) > 0 ? longest : shortest;
             if (Duration.between(received.at(), now).compareTo(patience) > 0) {
                 found.add(new OutdatedPart(part, received.at()));
             }

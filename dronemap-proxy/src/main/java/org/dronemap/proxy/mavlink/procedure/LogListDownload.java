@@ -35,6 +35,8 @@ public final class LogListDownload implements Exchange {
     private RetrySchedule pace = new RetrySchedule(0, 0, 0);
     private int count;
     private int last = -1;
+    private int newest = -1;
+    private int begun;
     private int askedFrom;
     private int answeredUpTo = -1;
     private boolean lookedAgain;
@@ -99,8 +101,10 @@ public final class LogListDownload implements Exchange {
             outcome = new Outcome.Succeeded();
             return;
         }
+        begun += newest < 0 ? 0 : Math.max(0, entry.lastLogNum() - newest);
+        newest = Math.max(newest, entry.lastLogNum());
         count = entry.numLogs();
-        last = Math.max(entry.lastLogNum(), entry.id());
+        last = Math.max(newest, entry.id());
         answeredUpTo = Math.max(answeredUpTo, entry.id());
         Instant at = entry.timeUtc() == 0 ? null : Instant.ofEpochSecond(entry.timeUtc());
         if (found.put(entry.id(), new VehicleLog(entry.id(), at, entry.size())) == null) {
@@ -108,11 +112,11 @@ public final class LogListDownload implements Exchange {
             patience.progressed(nowNanos);
             observer.progress(Math.min(found.size(), count), count);
         }
-        while (found.size() > count) {
-            // A new one was begun meanwhile, for which the oldest went.
-            found.remove(found.firstKey());
-        }
-        if (found.size() == count) {
+        // Some count less than they list: only for those that were begun meanwhile the oldest went.
+        if (found.size() >= count + begun && found.lastKey() >= last) {
+            for (; begun > 0 && found.size() > count; begun--) {
+                found.remove(found.firstKey());
+            }
             outcome = new Outcome.Succeeded();
         }
     }

@@ -40,6 +40,7 @@ public final class MissionDownload implements Exchange {
     private final PrefetchedItems ahead = new PrefetchedItems();
     private boolean inAnyOrder;
     private int count = -1;
+    private int otherKind = -1;
     private int tries;
     private int refusals;
     private long firstRefusedNanos;
@@ -141,7 +142,23 @@ public final class MissionDownload implements Exchange {
         if (outcome == null) {
             ask(nowNanos);
             askAhead(nowNanos);
+        } else if (!patience.isBrokenOff(nowNanos)) {
+            outcome = unanswered(outcome);
         }
+    }
+
+    /** The vehicle is heard and answers, but not what it was asked. */
+    private Outcome unanswered(Outcome usual) {
+        if (count < 0 && otherKind >= 0) {
+            return new Outcome.TimedOut("Asked for its " + kind.words() + ", the vehicle answers with "
+                    + MavMissionType.words(otherKind) + "; nothing was read.");
+        }
+        return count < 0
+                ? usual
+                : new Outcome.TimedOut("The vehicle says that it has " + count + " items and does not"
+                        + " give number " + next()
+                        + ", counted from 0, though it was asked for it again and again. So nothing of"
+                        + " this was taken.");
     }
 
     /** As the link is now: a long transfer may begin on a good one and go on over a bad one. */
@@ -194,7 +211,11 @@ public final class MissionDownload implements Exchange {
     }
 
     private void counted(MissionCount message, long newStamp, long nowNanos) {
-        if (count >= 0 || message.missionType() != kind.number() || !MavlinkTarget.isForUs(message.targetSystem())) {
+        if (count >= 0 || !MavlinkTarget.isForUs(message.targetSystem())) {
+            return;
+        }
+        if (message.missionType() != kind.number()) {
+            otherKind = message.missionType();
             return;
         }
         if (message.count() > MOST_ITEMS) {

@@ -1,8 +1,12 @@
 package org.dronemap.proxy.mavlink.procedure;
 
 import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
@@ -27,6 +31,10 @@ public final class ParameterDownload implements Exchange {
     private static final long NOTHING_NEW_NANOS = 20_000_000_000L;
 
     private static final int MOST_NAMED = 3;
+    /** A vehicle that counts anew with every message would never be through. */
+    private static final int MOST_RECOUNTS = 3;
+    /** As in answers to a write; some vehicles number nothing. */
+    private static final int NO_INDEX = 65_535;
 
     private final MavlinkTarget target;
     private final ParameterCodec codec;
@@ -35,7 +43,11 @@ public final class ParameterDownload implements Exchange {
     private final SortedSet<Integer> untold = new TreeSet<>();
     private RequestWindow<Integer> gaps;
     private RetrySchedule pace = new RetrySchedule(0, 0, 0);
+    /** Of those with the number of another one, or without one. By name. */
+    private final SortedMap<String, Parameter> beside = new TreeMap<>();
+
     private int count = -1;
+    private int recounts;
     private final TransferTimeout patience = new TransferTimeout();
     private int tries;
     private long lastSentNanos;
@@ -48,26 +60,48 @@ public final class ParameterDownload implements Exchange {
         this.gaps = new RequestWindow<>(0, pace, index -> {});
     }
 
-    /** What was read, in the order of the vehicle. */
+    /** What was read, in the order of the vehicle; of two with one name the later one. */
     public List<Parameter> parameters() {
-        return List.copyOf(byIndex.values());
+        Map<String, Parameter> all = new LinkedHashMap<>();
+        byIndex.values().forEach(parameter -> all.put(parameter.name(), parameter));
+        beside.forEach(all::putIfAbsent);
+        return List.copyOf(all.values());
     }
 
-    /** Which ones the vehicle did not tell, as a sentence; empty when it told all. */
+    /** Which ones the vehicle did not tell, or cannot be told apart, as sentences; empty when it told all. */
     public Optional<String> incomplete() {
-        List<Integer> missing = missing();
-        if (count < 0 || missing.isEmpty()) {
+        int read = parameters().size();
+        if (count < 0 || read >= count) {
             return Optional.empty();
         }
+        List<Integer> missing = missing();
+        return Optional.of(missing.isEmpty() ? sameNames(read) : untold(read, missing));
+    }
+
+    private String sameNames(int read) {
+        Set<String> names = new HashSet<>();
+        List<String> twice = byIndex.values().stream()
+                .map(Parameter::name)
+                .filter(name -> !names.add(name))
+                .distinct()
+                .toList();
+        int more = twice.size() - MOST_NAMED;
+        return read + " of " + count + " parameters were read and can be used. The vehicle has several that are called "
+                + String.join(", ", twice.subList(0, Math.min(MOST_NAMED, twice.size())))
+                + (more > 0 ? " and " + more + " more such names" : "")
+                + "; only the last one of each is shown, since they cannot be told apart.";
+    }
+
+    private String untold(int read, List<Integer> missing) {
         List<String> named = missing.stream()
                 .limit(MOST_NAMED)
                 .map(index -> index + place(index))
                 .toList();
         int more = missing.size() - named.size();
-        return Optional.of(byIndex.size() + " of " + count
+        return read + " of " + count
                 + " parameters were read and can be used. The vehicle did not tell number " + String.join(", ", named)
                 + (more > 0 ? " and " + more + " more" : "") + ", counted from 0, though it was asked for "
-                + (missing.size() == 1 ? "it" : "them") + " again and again.");
+                + (missing.size() == 1 ? "it" : "them") + " again and again.";
     }
 
     /** Between which names it would stand: its own is not known. */
@@ -113,6 +147,10 @@ public final class ParameterDownload implements Exchange {
     /** Answers to a write carry no index; they are no part of the list. */
     private void valueReceived(ParamValue message, long nowNanos) {
         int index = message.paramIndex();
+        if (index == NO_INDEX && count < 0 && !message.paramId().isEmpty()) {
+            unnumbered(message, nowNanos);
+            return;
+        }
         if (index >= message.paramCount() || message.paramId().isEmpty()) {
             return;
         }
@@ -121,17 +159,49 @@ public final class ParameterDownload implements Exchange {
             return;
         }
         if (message.paramCount() != count) {
-            count = message.paramCount();
-            byIndex.tailMap(count).clear();
-            untold.tailSet(count).clear();
+            counted(message.paramCount());
         }
+        numbered(index, codec.decode(message), nowNanos);
+    }
+
+    private void numbered(int index, Parameter parameter, long nowNanos) {
         gaps.answered(index);
         untold.remove(index);
-        if (byIndex.put(index, codec.decode(message)) == null) {
+        Parameter before = byIndex.put(index, parameter);
+        if (before != null && !before.name().equals(parameter.name())) {
+            beside.put(before.name(), before);
+        }
+        if (before == null) {
             patience.progressed(nowNanos);
             observer.progress(byIndex.size(), count);
         }
-        if (byIndex.size() == count) {
+        if (byIndex.size() == count || (!beside.isEmpty() && parameters().size() >= count)) {
+            outcome = new Outcome.Succeeded();
+        }
+    }
+
+    /** One more or less in the middle gives all that follow other numbers: those that are held are read again. */
+    private void counted(int now) {
+        if (count < 0) {
+            beside.clear();
+        } else if (recounts < MOST_RECOUNTS) {
+            recounts++;
+            byIndex.clear();
+            untold.clear();
+            beside.clear();
+        }
+        count = now;
+        byIndex.tailMap(count).clear();
+        untold.tailSet(count).clear();
+    }
+
+    /** Of a vehicle that has numbered nothing yet; when it is through is known by the count alone. */
+    private void unnumbered(ParamValue message, long nowNanos) {
+        Parameter parameter = codec.decode(message);
+        if (beside.size() < MOST_PARAMETERS && beside.put(parameter.name(), parameter) == null) {
+            patience.progressed(nowNanos);
+        }
+        if (message.paramCount() > 1 && beside.size() == message.paramCount()) {
             outcome = new Outcome.Succeeded();
         }
     }
@@ -176,6 +246,9 @@ public final class ParameterDownload implements Exchange {
         outcome = patience.end(nowNanos);
         if (outcome == null) {
             ask(nowNanos);
+        } else if (!beside.isEmpty()) {
+            outcome = new Outcome.TimedOut("The vehicle tells parameters without their numbers; " + beside.size()
+                    + " different ones came, and nobody can know whether these are all.");
         }
     }
 

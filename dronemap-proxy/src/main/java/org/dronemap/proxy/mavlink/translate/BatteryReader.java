@@ -24,6 +24,11 @@ final class BatteryReader {
     /** MAV_BATTERY_FUNCTION: unknown, all, propulsion; what follows does not keep the vehicle in the air. */
     private static final int LAST_THAT_FLIES = 2;
 
+    /** Two messages are told at different times. */
+    private static final int SAME_PERCENT = 5;
+
+    private static final double SAME_VOLTAGE = 0.2;
+
     private final Map<Integer, Source> batteries = new TreeMap<>();
     private final Source system = new Source();
     private boolean told;
@@ -146,17 +151,33 @@ final class BatteryReader {
         return source == null ? null : source.now(nowNanos);
     }
 
-    /** The first that keeps it in the air; null when none is told. */
+    /** The first that keeps it in the air and may be the one of SYS_STATUS; null when none is told. */
     private @Nullable Integer main(long nowNanos) {
+        Reading sys = system.now(nowNanos);
         Integer first = null;
         for (int number : batteries.keySet()) {
             Reading reading = reading(number, nowNanos);
-            if (reading != null && reading.flies()) {
+            if (reading != null && reading.flies() && !isAnother(number, reading, sys)) {
                 return number;
             }
             first = first == null && reading != null ? (Integer) number : first;
         }
-        return system.now(nowNanos) == null ? first : null;
+        return sys == null ? first : null;
+    }
+
+    /** One beyond the first that tells clearly other values than SYS_STATUS is not the battery of that. */
+    private static boolean isAnother(int number, Reading reading, @Nullable Reading sys) {
+        if (number == 0 || sys == null) {
+            return false;
+        }
+        Integer percent = reading.percent();
+        Integer whole = sys.percent();
+        if (percent != null && whole != null) {
+            return Math.abs(percent - whole) > SAME_PERCENT;
+        }
+        Double volts = reading.volts();
+        Double all = sys.volts();
+        return volts != null && all != null && Math.abs(volts - all) > SAME_VOLTAGE * all;
     }
 
     private List<Battery.Further> further(@Nullable Integer main, long nowNanos) {

@@ -155,7 +155,24 @@ public final class MissionCodec {
         };
         return nowhere
                 ? what
-                : String.format(Locale.ROOT, "%s at %.6f, %.6f, %.1f m", what, item.x() / E7, item.y() / E7, item.z());
+                : String.format(
+                        Locale.ROOT,
+                        "%s at %.6f, %.6f, %.1f m %s",
+                        what,
+                        item.x() / E7,
+                        item.y() / E7,
+                        item.z(),
+                        above(item.frame()));
+    }
+
+    private static String above(int frame) {
+        return FenceCodec.reference(frame)
+                .map(reference -> switch (reference) {
+                    case HOME -> "above home";
+                    case AMSL -> "above sea level";
+                    case TERRAIN -> "above the ground";
+                })
+                .orElse("in frame " + frame);
     }
 
     /** A speed of nothing or less leaves it as it is. */

@@ -124,7 +124,11 @@ public final class TelemetryTranslator {
                 IdentificationReader.of(autopilot, status.type(), status.version()), autopilot.capabilities()));
     }
 
+    /** A program that has the autopilot's numbers, such as a ground station, is none for that. */
     private void heartbeat(Heartbeat heartbeat) {
+        if (!VehicleType.isVehicle(heartbeat)) {
+            return;
+        }
         String mode = autopilot.modeName(heartbeat);
         status.heartbeat(heartbeat, mode);
         out.accept(new DroneEvent.ModeReported(mode, status.armed()));

@@ -93,6 +93,35 @@ class LogTransferTest {
     }
 
     @Test
+    void oneThatCountsLessThanItListsLosesNone() {
+        wire.peer((w, message) -> {
+            if (message instanceof LogRequestList) {
+                for (int id = 1; id <= 5; id++) {
+                    wire.answer(new LogEntry(id, 3, 5, 1_700_000_000L, 1_000));
+                }
+            }
+        });
+
+        assertThat(numbers(new LogListDownload(wire.target(), ExchangeObserver.NONE)))
+                .containsExactly(1, 2, 3, 4, 5);
+    }
+
+    @Test
+    void aNewOneThatIsBegunMeanwhileTakesThePlaceOfTheOldest() {
+        wire.peer((w, message) -> {
+            if (message instanceof LogRequestList) {
+                wire.answer(new LogEntry(1, 3, 3, 1_700_000_000L, 1_000));
+                for (int id : new int[] {4, 2, 3}) {
+                    wire.answer(new LogEntry(id, 3, 4, 1_700_000_000L, 1_000));
+                }
+            }
+        });
+
+        assertThat(numbers(new LogListDownload(wire.target(), ExchangeObserver.NONE)))
+                .containsExactly(2, 3, 4);
+    }
+
+    @Test
     void isContentWithAVehicleThatHasNoLogs() {
         LogVehicle empty = new LogVehicle(0, 0);
         wire.peer(empty::take);

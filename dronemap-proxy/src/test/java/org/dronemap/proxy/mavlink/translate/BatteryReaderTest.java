@@ -110,6 +110,17 @@ class BatteryReaderTest {
     }
 
     @Test
+    void oneBeyondTheFirstThatTellsOtherValuesThanSysStatusIsAnotherOne() {
+        BatteryReader reader = new BatteryReader();
+        reader.received(system(80, 16_000, 500), 0);
+        assertThat(reader.received(status(1, 0, 20, 100, cells(4, 3_500)), 0))
+                .contains(new Battery(80, 16.0, 5.0, List.of(new Battery.Further(1, 20, 14.0, 1.0))));
+        assertThat(reader.received(status(1, 0, 78, 100, cells(4, 3_900)), 0)).contains(new Battery(80, 16.0, 5.0));
+        assertThat(reader.received(status(2, 0, -1, -1, cells(2, 4_000)), 0))
+                .contains(new Battery(80, 16.0, 5.0, List.of(new Battery.Further(2, null, 8.0, null))));
+    }
+
+    @Test
     void theMainOneKeepsItInTheAir() {
         BatteryReader reader = new BatteryReader();
         reader.received(status(0, 4, 99, -1, cells(3, 4_000)), 0);

@@ -56,6 +56,7 @@ class LandingSequenceTest {
     @Test
     void isCalledByItsNameAmongTheItems() {
         assertThat(MissionCodec.fromWire(mission(HOME, LAND_START), 1))
-                .containsExactly(new MissionItem.Other("begin of the landing sequence at 47.397700, 8.546600, 40.0 m"));
+                .containsExactly(new MissionItem.Other(
+                        "begin of the landing sequence at 47.397700, 8.546600, 40.0 m above home"));
     }
 }
