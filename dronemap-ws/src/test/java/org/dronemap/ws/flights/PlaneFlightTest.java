@@ -122,7 +122,7 @@ class PlaneFlightTest {
                 "its rest is known",
                 SOON,
                 () -> Boolean.FALSE.equals(plane.state().armed()));
-        ann.does(plane, CommandRequests.setMode("MANUAL")).does(plane, CommandRequests.clearMission());
+        ann.does(plane, CommandRequests.clearMission());
         assertThat(plane.state().mission().items()).isEmpty();
     }
 
