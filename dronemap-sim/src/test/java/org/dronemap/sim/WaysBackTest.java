@@ -92,15 +92,4 @@ class WaysBackTest {
         mostEast(bench);
         assertThat(here(bench).east()).as("home is nearer").isBetween(-1.5, 1.5);
     }
-
-    @Test
-    void aMissionIsClearedOnceItIsDisarmed() {
-        VehicleTestBench bench = VehicleTestBench.flying(20);
-        bench.upload(bench.item(0, 16, 0, 0, 0), bench.item(1, 16, 40, 0, 20), bench.item(2, 21, 0, 0, 0));
-        bench.command(176, 1, 3);
-        bench.run(2);
-        assertThat(bench.vehicle.autopilot().mayClearMission()).isFalse();
-        mostEast(bench);
-        assertThat(bench.vehicle.autopilot().mayClearMission()).isTrue();
-    }
 }

@@ -61,6 +61,7 @@ class QuadPlaneFlightTest {
     void landsWhereItIs() {
         takesOff();
         ann.does(quadplane, CommandRequests.land());
+        assertThat(quadplane.state().mode()).isEqualTo("QLAND");
         isDownAtHome();
     }
 
