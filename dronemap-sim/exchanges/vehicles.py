@@ -11,6 +11,7 @@ from exchange import Exchange
 from exchanges import EXCHANGES
 from firmware_exchanges import FIRMWARE_EXCHANGES
 from planes import PLANE_EXCHANGES, QUADPLANE_EXCHANGES
+from return_exchanges import COPTER_RETURNS, PLANE_RETURNS, ROVER_RETURNS
 from rover_exchanges import ROVER_EXCHANGES
 
 
@@ -25,9 +26,11 @@ class Vehicle:
 
 
 VEHICLES: Mapping[str, Vehicle] = {
-    "copter": Vehicle("+", "copter.parm", dict(mavutil.mode_mapping_acm), (*EXCHANGES, *FIRMWARE_EXCHANGES)),
-    "plane": Vehicle("plane", "plane.parm", dict(mavutil.mode_mapping_apm), PLANE_EXCHANGES),
+    "copter": Vehicle(
+        "+", "copter.parm", dict(mavutil.mode_mapping_acm), (*EXCHANGES, *FIRMWARE_EXCHANGES, *COPTER_RETURNS)
+    ),
+    "plane": Vehicle("plane", "plane.parm", dict(mavutil.mode_mapping_apm), (*PLANE_EXCHANGES, *PLANE_RETURNS)),
     "quadplane": Vehicle("quadplane", "quadplane.parm", dict(mavutil.mode_mapping_apm), QUADPLANE_EXCHANGES),
-    "rover": Vehicle("rover", "rover.parm", dict(mavutil.mode_mapping_rover), ROVER_EXCHANGES),
+    "rover": Vehicle("rover", "rover.parm", dict(mavutil.mode_mapping_rover), (*ROVER_EXCHANGES, *ROVER_RETURNS)),
 }
 ALL_EXCHANGES: tuple[Exchange, ...] = tuple(exchange for vehicle in VEHICLES.values() for exchange in vehicle.exchanges)

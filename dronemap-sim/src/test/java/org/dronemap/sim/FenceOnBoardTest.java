@@ -2,6 +2,7 @@ package org.dronemap.sim;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Map;
 import org.dronemap.mavlink.message.FenceStatus;
 import org.dronemap.mavlink.message.MissionAck;
 import org.dronemap.mavlink.message.MissionCount;
@@ -90,6 +91,18 @@ class FenceOnBoardTest {
         bench.parameter("FENCE_ENABLE", 1);
         bench.run(1);
         assertThat(bench.mode()).isEqualTo(LAND);
+    }
+
+    @Test
+    void selectsByDefaultWhatItsKindCanHeed() {
+        Map<String, Integer> types = Map.of("arducopter", 7, "ardurover", 6, "arduplane", 4, "quadplane", 4);
+        types.forEach((kind, type) -> assertThat(VehicleTestBench.ready("--personality", kind)
+                        .vehicle
+                        .autopilot()
+                        .parameters()
+                        .value("FENCE_TYPE"))
+                .as(kind)
+                .isEqualTo(type.doubleValue()));
     }
 
     @Test

@@ -1,7 +1,14 @@
 package org.dronemap.sim;
 
+import org.dronemap.mavlink.message.MissionCount;
+import org.dronemap.mavlink.message.MissionItemInt;
+import org.dronemap.sim.physics.NeuPosition;
+
 /** What was done with a vehicle before the recording began, where that is more than parameters of a fail-safe. */
 final class FirmwarePreparations {
+    private static final int RALLY = 2;
+    private static final int RALLY_POINT = 5100;
+
     private FirmwarePreparations() {}
 
     static void prepare(VehicleTestBench bench, String preparation) {
@@ -17,6 +24,7 @@ final class FirmwarePreparations {
                 setFence(bench, 0);
                 uploadWayNorth(bench, 75);
             }
+            case "rally point 60 m east" -> uploadRallyPoint(bench, 60, 20);
             case "two batteries" -> bench.parameter("BATT2_MONITOR", 4);
             default -> throw new IllegalArgumentException("no such preparation: " + preparation);
         }
@@ -28,6 +36,15 @@ final class FirmwarePreparations {
         bench.parameter("FENCE_ALT_MAX", 40);
         bench.parameter("FENCE_ACTION", action);
         bench.parameter("FENCE_ENABLE", 1);
+    }
+
+    private static void uploadRallyPoint(VehicleTestBench bench, double east, float up) {
+        var home = bench.vehicle.craft().home();
+        NeuPosition place = new NeuPosition(0, east, 0);
+        int latitude = (int) Math.round(home.latitudeOf(place) * 1e7);
+        int longitude = (int) Math.round(home.longitudeOf(place) * 1e7);
+        bench.send(new MissionCount(1, 1, 1, RALLY));
+        bench.send(new MissionItemInt(1, 1, 0, 3, RALLY_POINT, 0, 1, 0, 0, 0, 0, latitude, longitude, up, RALLY));
     }
 
     private static void uploadWayNorth(VehicleTestBench bench, double north) {

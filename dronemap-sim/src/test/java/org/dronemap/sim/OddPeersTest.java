@@ -65,6 +65,18 @@ class OddPeersTest {
         assertThat(bench.last(Statustext.ID, Statustext::decode).id()).isOne();
     }
 
+    /** Only a zero says that nothing follows. */
+    @Test
+    void aTextThatFillsItsLastPieceEndsWithAnEmptyOne() {
+        VehicleTestBench bench = VehicleTestBench.ready();
+        assertThat(order(bench, "text 1 vehicle " + "x".repeat(100))).startsWith("ok");
+        assertThat(heard(bench, Statustext.ID)
+                        .map(heard -> Statustext.decode(heard.frame()).text()))
+                .containsExactly("x".repeat(50), "x".repeat(50), "");
+        assertThat(order(bench, "text 1 vehicle " + "y".repeat(50))).startsWith("ok");
+        assertThat(bench.last(Statustext.ID, Statustext::decode).id()).isZero();
+    }
+
     @Test
     void aSystemIdThatIsWrittenCountsFromTheNextStart() {
         VehicleTestBench bench = VehicleTestBench.ready();

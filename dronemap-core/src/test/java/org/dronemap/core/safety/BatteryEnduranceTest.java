@@ -42,6 +42,26 @@ class BatteryEnduranceTest {
     }
 
     @Test
+    void drawsNothingFromTooLittleUsedUpOrTooShortATime() {
+        after(0, 100);
+        assertThat(after(100, 98)).as("two percent say nothing").isCloseTo(98 * 12, within(1e-6));
+
+        BatteryEnduranceTest quick = new BatteryEnduranceTest();
+        quick.after(0, 100);
+        assertThat(quick.after(59, 90)).as("nor does less than a minute").isCloseTo(90 * 12, within(1e-6));
+    }
+
+    @Test
+    void believesNoRateThatNoBatteryHas() {
+        after(0, 100);
+        assertThat(after(60, 10)).as("at most 40 % a minute").isCloseTo(15, within(1e-9));
+
+        BatteryEnduranceTest slow = new BatteryEnduranceTest();
+        slow.after(0, 100);
+        assertThat(slow.after(6_000, 97)).as("at least half a percent a minute").isCloseTo(97 * 120, within(1e-6));
+    }
+
+    @Test
     void knowsNothingOfWhatIsNotTold() {
         assertThat(after(0, null)).isNaN();
         after(Duration.ofMinutes(1).toSeconds(), 50);

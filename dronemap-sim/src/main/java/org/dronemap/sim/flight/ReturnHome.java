@@ -21,11 +21,17 @@ public final class ReturnHome implements Manoeuvre {
 
     /** {@code returnHeight} in metres above home; one who is higher stays as high. */
     public ReturnHome(SimulatedCraft craft, CruiseSpeeds cruise, double returnHeight, long waitMillis) {
+        this(craft, cruise, craft.homePosition(), returnHeight, waitMillis);
+    }
+
+    /** The same to another place than its home. */
+    public ReturnHome(
+            SimulatedCraft craft, CruiseSpeeds cruise, NeuPosition place, double returnHeight, long waitMillis) {
         NeuPosition homePosition = craft.homePosition();
         double up = Math.max(craft.body().up(), homePosition.up() + returnHeight);
         this.cruise = cruise;
         this.start = craft.body().stoppingPoint().withUp(up);
-        this.above = homePosition.withUp(up);
+        this.above = place.withUp(up);
         this.leg = GoTo.leg(above, cruise, Double.NaN);
         this.waitMillis = waitMillis;
     }

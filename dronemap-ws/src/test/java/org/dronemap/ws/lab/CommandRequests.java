@@ -53,6 +53,18 @@ public final class CommandRequests {
         return new CommandRequest.StartMission(onCloudLoss, null, null);
     }
 
+    public static CommandRequest pauseMission() {
+        return new CommandRequest.PauseMission(null, null);
+    }
+
+    public static CommandRequest clearMission() {
+        return new CommandRequest.ClearMission(null, null);
+    }
+
+    public static CommandRequest changeSpeed(double metersPerSecond) {
+        return new CommandRequest.ChangeSpeed(metersPerSecond, null, null);
+    }
+
     public static CommandRequest turn(double degrees) {
         return new CommandRequest.Turn(degrees, null, null);
     }

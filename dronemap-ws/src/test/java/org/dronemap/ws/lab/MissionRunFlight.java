@@ -12,6 +12,7 @@ import org.dronemap.ws.plan.PlanObjectiveRequest;
 import org.dronemap.ws.plan.PlanRequest;
 import org.dronemap.ws.plan.PlanTaskRequest;
 import org.dronemap.ws.plan.PlanView;
+import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.run.RunRequest;
 import org.dronemap.ws.run.RunView;
 import org.jspecify.annotations.Nullable;
@@ -47,7 +48,28 @@ public final class MissionRunFlight {
             List<LabDrone> drones,
             List<PlanRequest.WaypointRequest> waypoints,
             Manner manner) {
-        PlanView plan = planned(lab, pilot, drones, waypoints);
+        return begins(lab, pilot, drones, planned(lab, pilot, drones, waypoints), manner);
+    }
+
+    /** The same before they are ready to arm: as soon as a plan for them is taken. */
+    public static MissionRunFlight beginsAtOnce(
+            Laboratory lab,
+            Pilot pilot,
+            List<LabDrone> drones,
+            List<PlanRequest.WaypointRequest> waypoints,
+            Manner manner) {
+        PlanView asked = lab.untilSeen("a plan is taken", LONGEST_PLAN, () -> {
+            try {
+                return Optional.of(ask(lab, pilot, drones, waypoints));
+            } catch (Rejection notYet) {
+                return Optional.empty();
+            }
+        });
+        return begins(lab, pilot, drones, finished(lab, pilot, asked), manner);
+    }
+
+    private static MissionRunFlight begins(
+            Laboratory lab, Pilot pilot, List<LabDrone> drones, PlanView plan, Manner manner) {
         RunRequest.StartRequest request = new RunRequest.StartRequest(
                 plan.id(), manner.mode(), manner.onCloudLoss(), "roofs", manner.searchSeconds());
         RunView begun = lab.server().runs().start(pilot.principal(), request);
@@ -58,6 +80,11 @@ public final class MissionRunFlight {
     public static PlanView planned(
             Laboratory lab, Pilot pilot, List<LabDrone> drones, List<PlanRequest.WaypointRequest> waypoints) {
         drones.forEach(drone -> lab.until(drone.name() + " can be planned for", LONGEST_PLAN, drone::isPlannable));
+        return finished(lab, pilot, ask(lab, pilot, drones, waypoints));
+    }
+
+    private static PlanView ask(
+            Laboratory lab, Pilot pilot, List<LabDrone> drones, List<PlanRequest.WaypointRequest> waypoints) {
         PlanRequest request = new PlanRequest(
                 waypoints.stream().toList(),
                 drones.stream().map(drone -> drone.id().value()).toList(),
@@ -65,7 +92,10 @@ public final class MissionRunFlight {
                 PLAN_SECONDS,
                 null,
                 null);
-        PlanView asked = lab.server().plans().ask(pilot.principal(), request);
+        return lab.server().plans().ask(pilot.principal(), request);
+    }
+
+    private static PlanView finished(Laboratory lab, Pilot pilot, PlanView asked) {
         return lab.untilSeen(
                 "the plan is finished",
                 LONGEST_PLAN,

@@ -227,6 +227,16 @@ public final class Pilot {
         return does(drone, CommandRequests.goTo(place.latitudeDegrees(), place.longitudeDegrees(), meters));
     }
 
+    /** Uploads those items. */
+    public Pilot uploads(LabDrone drone, List<MissionItem> items) {
+        return does(drone, CommandRequests.uploadMission(MissionItemRequest.of(items)));
+    }
+
+    /** Arms it, and starts the mission that it has. */
+    public Pilot startsMission(LabDrone drone) {
+        return does(drone, CommandRequests.arm()).does(drone, CommandRequests.startMission(null));
+    }
+
     /** Uploads a take-off, those places at one height, and the way home. */
     public Pilot plans(LabDrone drone, double meters, Geodetic... places) {
         List<MissionItem> items = new ArrayList<>();
@@ -235,6 +245,6 @@ public final class Pilot {
             items.add(new MissionItem.Waypoint(place, Altitude.aboveHome(meters), 0));
         }
         items.add(new MissionItem.ReturnToLaunch());
-        return does(drone, CommandRequests.uploadMission(MissionItemRequest.of(items)));
+        return uploads(drone, items);
     }
 }

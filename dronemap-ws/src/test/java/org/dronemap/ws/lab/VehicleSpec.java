@@ -57,12 +57,22 @@ public record VehicleSpec(
         return Stream.of(COPTER, PX4);
     }
 
+    /** One of each that ArduPilot moves. */
+    public static Stream<VehicleSpec> arduPilots() {
+        return Stream.of(COPTER, ROVER, WingedSpecs.PLANE, WingedSpecs.QUADPLANE);
+    }
+
     public boolean isPx4() {
         return kind.name().equals("px4");
     }
 
     public VehicleSpec inWind(double speed) {
         return new VehicleSpec(kind, mavlinkVersion, speed, readySeconds, parameters, presets, usb);
+    }
+
+    /** Its position estimate stands so long after it was switched on. */
+    public VehicleSpec readyAfter(double seconds) {
+        return new VehicleSpec(kind, mavlinkVersion, windSpeed, seconds, parameters, presets, usb);
     }
 
     public VehicleSpec with(Map<String, Double> values) {

@@ -100,6 +100,31 @@ class BatteryReaderTest {
     }
 
     @Test
+    void whatComesSeldomCountsAsLongAsItsWayOfComing() {
+        BatteryReader reader = new BatteryReader();
+        reader.received(status(0, 0, 64, 300, cells(4, 3_900)), 0);
+        reader.received(status(0, 0, 63, 300, cells(4, 3_900)), 60_000_000_000L);
+        assertThat(reader.received(system(-1, 65_535, -1), 230_000_000_000L)).contains(new Battery(63, 15.6, 3.0));
+        assertThat(reader.received(system(-1, 65_535, -1), 250_000_000_000L)).contains(new Battery(null, null, null));
+    }
+
+    @Test
+    void noMoreBatteriesAreKeptThanAVehicleHas() {
+        BatteryReader reader = new BatteryReader();
+        for (int id = 0; id < 16; id++) {
+            assertThat(reader.received(status(id, 0, 80, 500, cells(4, 4_000)), 0))
+                    .isPresent();
+        }
+        assertThat(reader.received(status(16, 0, 80, 500, cells(4, 4_000)), 0)).isEmpty();
+        assertThat(reader.received(status(15, 0, 70, 500, cells(4, 4_000)), 0))
+                .get()
+                .satisfies(battery -> assertThat(battery.further())
+                        .hasSize(15)
+                        .last()
+                        .isEqualTo(new Battery.Further(15, 70, 16.0, 5.0)));
+    }
+
+    @Test
     void furtherBatteriesAreToldBesideTheMainOne() {
         BatteryReader reader = new BatteryReader();
         reader.received(status(0, 0, 80, 500, cells(4, 4_000)), 0);

@@ -152,6 +152,47 @@ class HighLatencyTest {
     }
 
     @Test
+    void whatTheOldOneLeavesOpenIsUnknown() {
+        TelemetryTranslator copter = vehicle(new Heartbeat(2, ARDUPILOT, 81, 4, 3, 3));
+        int none = Short.MAX_VALUE;
+        hear(
+                copter,
+                new HighLatency(
+                        0x51,
+                        4,
+                        0,
+                        none,
+                        none,
+                        36_000,
+                        0,
+                        0,
+                        471_234_567,
+                        -81_234_567,
+                        none,
+                        0,
+                        255,
+                        255,
+                        255,
+                        0,
+                        255,
+                        255,
+                        255,
+                        0,
+                        0,
+                        0,
+                        0,
+                        255));
+        assertThat(events)
+                .contains(
+                        new DroneEvent.PhaseReported(FlightPhase.ON_GROUND),
+                        new DroneEvent.PositionReported(new Position(new Geodetic(47.1234567, -8.1234567), null, null)),
+                        new DroneEvent.MotionReported(new Motion(null, null, null, null)),
+                        new DroneEvent.AttitudeReported(null),
+                        new DroneEvent.MissionCurrentReported(null, null))
+                .doesNotHaveAnyElementsOfTypes(DroneEvent.BatteryReported.class);
+    }
+
+    @Test
     void aHomeThatWasTakenBackIsUnknown() {
         TelemetryTranslator copter = vehicle(new Heartbeat(2, ARDUPILOT, 81, 4, 3, 3));
         hear(copter, new HomePosition(471_000_000, 81_000_000, 600_000, 0, 0, 0, new float[4], 0, 0, 0, 0));

@@ -114,6 +114,25 @@ class RefusalsWithAWayOutTest {
     }
 
     @Test
+    void comparesAHeightAboveTheSeaWithItsHome() {
+        fence(1, 1);
+        Command high = new Command.GoTo(new Geodetic(46, 7), new Altitude(480, Altitude.Reference.AMSL));
+        Command low = new Command.GoTo(new Geodetic(46, 7), new Altitude(465, Altitude.Reference.AMSL));
+
+        assertThat(copter(ARMED, GUIDED).perform(high).reason()).contains("The place is 70 m above its home");
+        assertThat(copter(ARMED, GUIDED).perform(low).code()).isEqualTo(OutcomeCode.VEHICLE_FAILED);
+    }
+
+    @Test
+    void blamesNoPartOfTheFenceThatItsTypeLeavesOut() {
+        fence(1, 2);
+        assertThat(copter(ARMED, GUIDED).perform(goTo(46, 75)).code()).isEqualTo(OutcomeCode.VEHICLE_FAILED);
+
+        fence(1, 1);
+        assertThat(copter(ARMED, GUIDED).perform(FAR).code()).isEqualTo(OutcomeCode.VEHICLE_FAILED);
+    }
+
+    @Test
     void saysThatItHasAreasWhereNothingElseIsInTheWay() {
         fence(1, 7);
 

@@ -3,6 +3,7 @@ package org.dronemap.sim.autopilot.arducopter;
 import java.util.function.Consumer;
 import org.dronemap.sim.autopilot.ardupilot.ArduPilotFlight;
 import org.dronemap.sim.autopilot.ardupilot.ArduPilotMission;
+import org.dronemap.sim.autopilot.ardupilot.RallyPoints;
 import org.dronemap.sim.flight.CruiseSpeeds;
 import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.GoTo;
@@ -11,12 +12,13 @@ import org.dronemap.sim.flight.Hover;
 import org.dronemap.sim.flight.Landing;
 import org.dronemap.sim.flight.Manoeuvre;
 import org.dronemap.sim.flight.MovingTargetManoeuvre;
-import org.dronemap.sim.flight.MulticopterLegs;
 import org.dronemap.sim.flight.ReturnHome;
+import org.dronemap.sim.flight.ReturnPath;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.SimulatedMission;
 import org.dronemap.sim.flight.SimulatedMissionItem;
 import org.dronemap.sim.flight.SimulatedParameters;
+import org.dronemap.sim.flight.SmartReturn;
 import org.dronemap.sim.flight.TakeOff;
 import org.dronemap.sim.flight.VelocityManoeuvre;
 import org.dronemap.sim.physics.MotionSetpoint;
@@ -32,6 +34,8 @@ final class CopterFlight implements ArduPilotFlight {
     private final SimulatedCraft craft;
     private final SimulatedParameters parameters;
     private final ArduPilotMission mission;
+    private final ReturnPath returnPath;
+    private final RallyPoints rallyPoints;
     private final CruiseSpeeds cruise = new CruiseSpeeds(10, 2.5, 1.5, 0.5);
     private CopterMode mode = CopterMode.STABILIZE;
     private Manoeuvre manoeuvre = new Grounded();
@@ -42,12 +46,29 @@ final class CopterFlight implements ArduPilotFlight {
     private boolean manualSetpoint;
 
     CopterFlight(
-            SimulatedCraft craft, SimulatedMission plan, SimulatedParameters parameters, Consumer<FlightEvent> events) {
+            SimulatedCraft craft,
+            SimulatedMission plan,
+            SimulatedParameters parameters,
+            ReturnPath returnPath,
+            RallyPoints rallyPoints,
+            Consumer<FlightEvent> events) {
         this.craft = craft;
         this.parameters = parameters;
-        this.mission = new ArduPilotMission(plan, events);
+        this.returnPath = returnPath;
+        this.rallyPoints = rallyPoints;
+        this.mission = new ArduPilotMission(plan, event -> report(plan, event, events));
         this.joystick = new ManualControlInput(parameters);
         readSpeeds();
+    }
+
+    /** Of a climb to a height it never says that it is done. */
+    private static void report(SimulatedMission plan, FlightEvent event, Consumer<FlightEvent> events) {
+        boolean silent = event instanceof FlightEvent.ItemReached reached
+                && reached.index() < plan.size()
+                && plan.item(reached.index()).command() == SimulatedMissionItem.LOITER_TO_ALTITUDE;
+        if (!silent) {
+            events.accept(event);
+        }
     }
 
     @Override
@@ -108,6 +129,9 @@ final class CopterFlight implements ArduPilotFlight {
         if (mode == CopterMode.AUTO) {
             mission.leave();
         }
+        if (manoeuvre instanceof SmartReturn back) {
+            back.leave();
+        }
         mode = next;
         paused = null;
         readSpeeds();
@@ -115,6 +139,7 @@ final class CopterFlight implements ArduPilotFlight {
             case AUTO -> startMission();
             case RTL -> returnHome();
             case LAND -> new Landing(craft, cruise);
+            case SMART_RTL -> new SmartReturn(craft, returnPath, cruise);
             default -> craft.landed() ? new Grounded() : new Hover(craft, cruise);
         };
         if (next == CopterMode.AUTO && !craft.landed()) {
@@ -126,20 +151,25 @@ final class CopterFlight implements ArduPilotFlight {
         if (!craft.armed() || mission.isEmpty()) {
             return new Grounded();
         }
-        return mission.start(cruise, new MulticopterLegs(cruise, returnHeight()));
+        return mission.start(cruise, new CopterLegs(parameters, cruise, this::flyHome));
     }
 
     private Manoeuvre returnHome() {
-        return craft.landed()
-                ? new Landing(craft, cruise)
-                : new ReturnHome(craft, cruise, returnHeight(), (long) parameters.value("RTL_LOIT_TIME"));
+        return craft.landed() ? new Landing(craft, cruise) : flyHome();
     }
 
-    /** Within the cone above home it does not climb first. */
-    private double returnHeight() {
-        double away = craft.body().position().horizontalDistanceTo(craft.homePosition());
+    /** To its home, or to a rally point before it. */
+    private ReturnHome flyHome() {
+        NeuPosition place = rallyPoints.orHome(craft.homePosition());
+        return new ReturnHome(craft, cruise, place, returnHeight(place), (long) parameters.value("RTL_LOIT_TIME"));
+    }
+
+    /** Within the cone above the place it does not climb first; a rally point has a height of its own. */
+    private double returnHeight(NeuPosition place) {
+        double away = craft.body().position().horizontalDistanceTo(place);
+        double own = place.up() - craft.homePosition().up();
         double cone = parameters.value("RTL_CONE_SLOPE") > 0 ? away * parameters.value("RTL_CONE_SLOPE") : 1e6;
-        return Math.min(parameters.value("RTL_ALT") / 100, Math.max(2, cone));
+        return Math.min(Math.max(parameters.value("RTL_ALT") / 100, own), Math.max(2, cone));
     }
 
     /** MISSION_START: what a pilot does by raising the throttle; a mission that was over goes on from the item set since. */
@@ -226,12 +256,14 @@ final class CopterFlight implements ArduPilotFlight {
     boolean landing() {
         return manoeuvre instanceof Landing
                 || (manoeuvre instanceof ReturnHome home && home.landing())
+                || (manoeuvre instanceof SmartReturn back && back.landing())
                 || mission.landing();
     }
 
     /** Stands after a landing of its own. */
     boolean hasLanded() {
-        boolean landed = manoeuvre instanceof Landing || manoeuvre instanceof ReturnHome;
+        boolean landed =
+                manoeuvre instanceof Landing || manoeuvre instanceof ReturnHome || manoeuvre instanceof SmartReturn;
         return (landed && manoeuvre.done()) || (mission.ended() && craft.landed());
     }
 

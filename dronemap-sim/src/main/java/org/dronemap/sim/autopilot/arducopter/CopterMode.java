@@ -14,7 +14,8 @@ enum CopterMode implements ArduPilotMode {
     CIRCLE(7, true, true, false),
     LAND(9, false, false, false),
     POSHOLD(16, true, true, true),
-    BRAKE(17, true, true, false);
+    BRAKE(17, true, true, false),
+    SMART_RTL(21, true, true, false);
 
     private final int number;
     private final boolean needsPosition;

@@ -6,6 +6,7 @@ import static org.dronemap.sim.flight.SimulatedParameters.INT8;
 import static org.dronemap.sim.flight.SimulatedParameters.REAL32;
 
 import org.dronemap.sim.autopilot.ardupilot.ArduPilotParameters;
+import org.dronemap.sim.autopilot.ardupilot.RallyPoints;
 import org.dronemap.sim.flight.SimulatedParameters;
 
 /** The parameters that the simulated ArduCopter heeds, with ArduCopter's defaults. */
@@ -13,7 +14,7 @@ final class CopterParameters {
     private CopterParameters() {}
 
     static SimulatedParameters defaults(int systemId, double batteryMilliampHours) {
-        return ArduPilotParameters.shared(systemId, batteryMilliampHours)
+        return RallyPoints.withParameters(ArduPilotParameters.shared(systemId, batteryMilliampHours), 0.3, true)
                 .add("FS_GCS_ENABLE", INT8, 0)
                 .add("FS_GCS_TIMEOUT", REAL32, 5)
                 .add("FS_OPTIONS", INT32, 16)
@@ -25,6 +26,8 @@ final class CopterParameters {
                 .add("WPNAV_SPEED", REAL32, 1000)
                 .add("WPNAV_SPEED_UP", REAL32, 250)
                 .add("WPNAV_SPEED_DN", REAL32, 150)
+                .add("CIRCLE_RADIUS", REAL32, 1000)
+                .add("CIRCLE_RATE", REAL32, 20)
                 .add("LAND_SPEED", INT16, 50)
                 .add("PILOT_SPEED_DN", INT16, 250)
                 .add("PILOT_SPEED_UP", INT16, 250)

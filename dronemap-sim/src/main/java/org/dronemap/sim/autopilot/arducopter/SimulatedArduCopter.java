@@ -43,7 +43,7 @@ public final class SimulatedArduCopter extends SimulatedArduPilot {
                 events,
                 out,
                 modeAnnouncer);
-        this.flight = new CopterFlight(craft, plan(), parameters(), events);
+        this.flight = new CopterFlight(craft, plan(), parameters(), returnPath(), rallyPoints(), events);
         this.failsafes = new CopterFailsafes(this, battery());
         this.checks = new CopterChecks(this, battery());
         this.orders = new CopterCommands(this, flight);
@@ -134,6 +134,9 @@ public final class SimulatedArduCopter extends SimulatedArduPilot {
                 return refuse(mode, "init failed");
             }
         }
+        if (mode == CopterMode.SMART_RTL && craft().armed() && !returnPath().isKnown()) {
+            return refuse(mode, "init failed");
+        }
         flight.enter((CopterMode) mode);
         return true;
     }
@@ -175,8 +178,9 @@ public final class SimulatedArduCopter extends SimulatedArduPilot {
 
     @Override
     public String reachedText(int index) {
-        boolean waypoint = index < plan().size() && plan().item(index).command() == SimulatedMissionItem.WAYPOINT;
-        return waypoint ? "Reached command #" + index : "";
+        int command = index < plan().size() ? plan().item(index).command() : 0;
+        boolean told = command == SimulatedMissionItem.WAYPOINT || command == SimulatedMissionItem.LOITER_TIME;
+        return told ? "Reached command #" + index : "";
     }
 
     @Override

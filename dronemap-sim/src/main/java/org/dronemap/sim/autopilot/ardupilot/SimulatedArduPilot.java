@@ -8,7 +8,6 @@ import org.dronemap.mavlink.message.FenceStatus;
 import org.dronemap.mavlink.message.SetPositionTargetGlobalInt;
 import org.dronemap.mavlink.message.SetPositionTargetLocalNed;
 import org.dronemap.sim.autopilot.EstimatorReport;
-import org.dronemap.sim.autopilot.FenceStorage;
 import org.dronemap.sim.autopilot.MavCommand;
 import org.dronemap.sim.autopilot.MissionProtocolStyle;
 import org.dronemap.sim.autopilot.SimulatedAutopilot;
@@ -16,6 +15,7 @@ import org.dronemap.sim.autopilot.SimulatedCommandResult;
 import org.dronemap.sim.autopilot.SimulatedPayload;
 import org.dronemap.sim.autopilot.fence.SimulatedFence;
 import org.dronemap.sim.flight.FlightEvent;
+import org.dronemap.sim.flight.ReturnPath;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.SimulatedMission;
 import org.dronemap.sim.flight.SimulatedParameters;
@@ -29,7 +29,6 @@ import org.jspecify.annotations.Nullable;
 public abstract class SimulatedArduPilot implements SimulatedAutopilot {
     private static final MissionProtocolStyle STYLE =
             new MissionProtocolStyle(true, true, false, 1_000, 8_000, 650, true);
-    private static final long PREARM_TEXT_MILLIS = 30_000;
 
     private final SimulatedCraft craft;
     private final SimulatedParameters parameters;
@@ -38,12 +37,14 @@ public abstract class SimulatedArduPilot implements SimulatedAutopilot {
     private final BatteryFailsafe battery;
     private final BatteryFailsafe secondBattery;
     private final SimulatedFence fence;
-    private final FenceStorage rallyPoints = FenceStorage.unheeded();
+    private final RallyPoints rallyPoints;
+    private final PreArmTexts preArmTexts =
+            new PreArmTexts(() -> checks().complaints(flight().mode()), text -> sendText(TextSeverity.CRITICAL, text));
+    private final ReturnPath returnPath = new ReturnPath();
     private final Consumer<FlightEvent> events;
     private final Consumer<Message> out;
     private final Runnable modeAnnouncer;
     private long now;
-    private long complaintsReportedAt;
     private boolean originReported;
 
     /** {@code modeAnnouncer} is called when the mode has changed: the heartbeat does not wait for its second */
@@ -58,6 +59,7 @@ public abstract class SimulatedArduPilot implements SimulatedAutopilot {
         this.battery = new BatteryFailsafe(craft, parameters, 1);
         this.secondBattery = new BatteryFailsafe(craft, parameters, 2);
         this.fence = new SimulatedFence(craft, parameters, events);
+        this.rallyPoints = new RallyPoints(craft, parameters);
         this.events = events;
         this.out = out;
         this.modeAnnouncer = modeAnnouncer;
@@ -90,11 +92,12 @@ public abstract class SimulatedArduPilot implements SimulatedAutopilot {
     public void step(long nowMillis, double seconds) {
         now = nowMillis;
         craft.step(flight().fly(nowMillis), nowMillis, seconds);
+        returnPath.step(craft);
         failsafes().check(nowMillis);
         payload.step(parameters.value("MNT1_TYPE") > 0, seconds);
         keepHome();
         disarmWhenIdle();
-        reportComplaints();
+        preArmTexts.step(craft.armed(), now);
     }
 
     /** Home is told once the origin stands, long before it would arm. */
@@ -105,16 +108,8 @@ public abstract class SimulatedArduPilot implements SimulatedAutopilot {
         }
     }
 
-    private void reportComplaints() {
-        if (craft.armed() || now - complaintsReportedAt < PREARM_TEXT_MILLIS) {
-            return;
-        }
-        reportComplaintsNow();
-    }
-
     void reportComplaintsNow() {
-        complaintsReportedAt = now;
-        checks().complaints(flight().mode()).forEach(text -> sendText(TextSeverity.CRITICAL, "PreArm: " + text));
+        preArmTexts.report(now);
     }
 
     SimulatedCommandResult arm(boolean force) {
@@ -132,6 +127,7 @@ public abstract class SimulatedArduPilot implements SimulatedAutopilot {
             sendText(TextSeverity.WARNING, "Warning: Arming Checks Disabled");
         }
         craft.setArmed(true);
+        returnPath.begin(craft);
         flight().armed();
         armed();
         sendText(TextSeverity.INFO, armedText());
@@ -216,8 +212,13 @@ public abstract class SimulatedArduPilot implements SimulatedAutopilot {
     }
 
     @Override
-    public FenceStorage rallyPoints() {
+    public RallyPoints rallyPoints() {
         return rallyPoints;
+    }
+
+    /** The way back to where it was armed. */
+    protected ReturnPath returnPath() {
+        return returnPath;
     }
 
     @Override
@@ -380,7 +381,7 @@ public abstract class SimulatedArduPilot implements SimulatedAutopilot {
 
     @Override
     public boolean mayClearMission() {
-        return !craft().armed() || !flight().mission().isActive();
+        return !craft.armed() || !flight().mission().isActive();
     }
 
     @Override

@@ -4,6 +4,7 @@ import org.dronemap.sim.autopilot.ardupilot.ArduPilotFailsafes;
 import org.dronemap.sim.autopilot.ardupilot.BatteryFailsafe;
 import org.dronemap.sim.flight.SimulatedMissionItem;
 import org.dronemap.sim.flight.TextSeverity;
+import org.jspecify.annotations.Nullable;
 
 /** The fail-safes of the simulated ArduPlane for its battery and the loss of its ground station. */
 final class PlaneFailsafes extends ArduPilotFailsafes {
@@ -19,6 +20,8 @@ final class PlaneFailsafes extends ArduPilotFailsafes {
     private final SimulatedArduPlane plane;
     private final BatteryFailsafe battery;
     private boolean groundStationLost;
+    /** The mode that a breach of its fence has brought it into. */
+    private @Nullable PlaneMode recovers;
 
     PlaneFailsafes(SimulatedArduPlane plane, BatteryFailsafe battery) {
         super(plane, battery);
@@ -33,6 +36,27 @@ final class PlaneFailsafes extends ArduPilotFailsafes {
 
     @Override
     protected void checkOwn(long nowMillis) {
+        checkGroundStation(nowMillis);
+        checkFence(nowMillis);
+    }
+
+    /** FENCE_ACTION 0 tells, all others come back; on the way back from a breach there is no other. */
+    private void checkFence(long nowMillis) {
+        if (plane.flight().mode() != recovers) {
+            recovers = null;
+        }
+        boolean breach = plane.fence().check(nowMillis);
+        if (!breach || recovers != null || !plane.craft().armed() || isLanding()) {
+            return;
+        }
+        plane.sendText(TextSeverity.NOTICE, "Fence Breached");
+        if (plane.parameters().value("FENCE_ACTION") != 0) {
+            plane.change(PlaneMode.RTL);
+            recovers = plane.flight().mode();
+        }
+    }
+
+    private void checkGroundStation(long nowMillis) {
         int watched = (int) plane.parameters().value("FS_GCS_ENABL");
         boolean watches =
                 watched != 0 && (watched != ONLY_IN_AUTO || plane.flight().mode() == PlaneMode.AUTO);

@@ -3,6 +3,7 @@ package org.dronemap.sim.autopilot.arduplane;
 import java.util.function.Consumer;
 import org.dronemap.sim.autopilot.ardupilot.ArduPilotFlight;
 import org.dronemap.sim.autopilot.ardupilot.ArduPilotMission;
+import org.dronemap.sim.autopilot.ardupilot.RallyPoints;
 import org.dronemap.sim.flight.Circle;
 import org.dronemap.sim.flight.CruiseSpeeds;
 import org.dronemap.sim.flight.FlightEvent;
@@ -33,6 +34,7 @@ final class PlaneFlight implements ArduPilotFlight {
     private final Consumer<PlaneMode> changer;
     private final ArduPilotMission mission;
     private final LandingSequence landingSequence;
+    private final RallyPoints rallyPoints;
     private final FlyingEstimate estimate = new FlyingEstimate();
     private final CruiseSpeeds cruise = new CruiseSpeeds(0, 0, 0, 0);
     private PlaneMode mode;
@@ -43,12 +45,14 @@ final class PlaneFlight implements ArduPilotFlight {
     private int reachedItem = NONE;
     private @Nullable PlaneMode next;
     private int stick = STICK_MID;
+    private boolean inLandingSequence;
 
     /** {@code changer} changes the mode when the flight itself asks for another one; {@code lifts}: it has lift motors. */
     PlaneFlight(
             SimulatedCraft craft,
             SimulatedMission plan,
             SimulatedParameters parameters,
+            RallyPoints rallyPoints,
             Consumer<FlightEvent> events,
             Consumer<PlaneMode> changer,
             boolean lifts) {
@@ -57,6 +61,7 @@ final class PlaneFlight implements ArduPilotFlight {
         this.parameters = parameters;
         this.events = events;
         this.changer = changer;
+        this.rallyPoints = rallyPoints;
         this.mission = new ArduPilotMission(plan, this::handle);
         this.landingSequence = new LandingSequence(craft, plan, mission, events);
         this.lift = lifts ? new PlaneLift(craft, parameters, cruise, events) : null;
@@ -78,6 +83,10 @@ final class PlaneFlight implements ArduPilotFlight {
     @Override
     public MotionSetpoint fly(long nowMillis) {
         estimate.check(craft, lift != null && lift.lifting(), nowMillis);
+        if (mode == PlaneMode.AUTO && mission.isEmpty()) {
+            sendText(TextSeverity.INFO, "Aircraft in auto without a running mission");
+            next = PlaneMode.RTL;
+        }
         restartLanding();
         MotionSetpoint setpoint = manoeuvre.fly(craft, nowMillis);
         if (mode == PlaneMode.RTL && craft.armed() && manoeuvre instanceof Circle circle) {
@@ -131,6 +140,9 @@ final class PlaneFlight implements ArduPilotFlight {
     /** An item that only sets something is said, but is never the current one. */
     private void start(FlightEvent.ItemStarted started) {
         int index = started.index();
+        if (index < plan.size() && plan.item(index).isNavigation()) {
+            inLandingSequence = plan.item(index).command() == SimulatedMissionItem.LAND;
+        }
         if (index < plan.size() && !plan.item(index).isNavigation()) {
             sendText(TextSeverity.INFO, "Mission: " + index + " " + started.type());
         } else {
@@ -159,6 +171,7 @@ final class PlaneFlight implements ArduPilotFlight {
             leaveMission();
         }
         mode = chosen;
+        forgetLanding();
         guided = null;
         if (mission.inLanding() && !craft.armed() && !flies() && !chosen.needsPosition()) {
             sendText(TextSeverity.INFO, "In landing sequence: mission reset");
@@ -220,6 +233,15 @@ final class PlaneFlight implements ArduPilotFlight {
         }
     }
 
+    /** On the ground after a landing: a mode that does not steer by itself ends the mission. */
+    private void forgetLanding() {
+        if (inLandingSequence && !craft.armed() && !flies() && !mode.needsPosition()) {
+            sendText(TextSeverity.INFO, "In landing sequence: mission reset");
+            mission.reset();
+            inLandingSequence = false;
+        }
+    }
+
     private void restartLanding() {
         PlaneLanding landing = landing();
         if (landing != null && landing.climbedAway()) {
@@ -229,7 +251,7 @@ final class PlaneFlight implements ArduPilotFlight {
 
     private NeuPosition returnPlace() {
         NeuPosition home = craft.homePosition();
-        return home.withUp(home.up() + parameters.value("RTL_ALTITUDE"));
+        return rallyPoints.orHome(home.withUp(home.up() + parameters.value("RTL_ALTITUDE")));
     }
 
     private double returnRadius() {

@@ -5,14 +5,18 @@ import static org.dronemap.sim.flight.SimulatedParameters.INT8;
 import static org.dronemap.sim.flight.SimulatedParameters.REAL32;
 
 import org.dronemap.sim.autopilot.ardupilot.ArduPilotParameters;
+import org.dronemap.sim.autopilot.ardupilot.RallyPoints;
 import org.dronemap.sim.flight.SimulatedParameters;
 
 /** The parameters that the simulated ArduPlane heeds, with the values of the aeroplane that was recorded. */
 final class PlaneParameters {
+    private static final int FENCE_OF_SHAPES = 4;
+
     private PlaneParameters() {}
 
     static SimulatedParameters defaults(int systemId, double batteryMilliampHours, boolean lifts) {
-        SimulatedParameters table = ArduPilotParameters.shared(systemId, batteryMilliampHours)
+        SimulatedParameters table = RallyPoints.withParameters(
+                        ArduPilotParameters.shared(systemId, batteryMilliampHours), 5, false)
                 .add("FS_GCS_ENABL", INT8, 0)
                 .add("FS_LONG_ACTN", INT8, 0)
                 .add("FS_LONG_TIMEOUT", REAL32, 5)
@@ -33,6 +37,7 @@ final class PlaneParameters {
                 .add("LAND_FLARE_SEC", REAL32, lifts ? 2 : 3)
                 .add("LAND_DISARMDELAY", INT8, 20)
                 .add("Q_ENABLE", INT8, lifts ? 1 : 0);
+        table.set("FENCE_TYPE", FENCE_OF_SHAPES);
         if (lifts) {
             table.add("Q_RTL_ALT", INT16, 15)
                     .add("Q_RTL_MODE", INT8, 0)

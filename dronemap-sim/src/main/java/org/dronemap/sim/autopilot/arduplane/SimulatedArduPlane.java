@@ -54,7 +54,7 @@ public final class SimulatedArduPlane extends SimulatedArduPilot {
             Runnable modeAnnouncer,
             boolean lifts) {
         super(craft, parameters, events, out, modeAnnouncer);
-        this.flight = new PlaneFlight(craft, plan(), parameters, events, this::change, lifts);
+        this.flight = new PlaneFlight(craft, plan(), parameters, rallyPoints(), events, this::change, lifts);
         this.failsafes = new PlaneFailsafes(this, battery());
         this.checks = new PlaneArmingChecks(craft, parameters(), plan(), battery(), flight);
         this.orders = new PlaneCommands(this, flight);

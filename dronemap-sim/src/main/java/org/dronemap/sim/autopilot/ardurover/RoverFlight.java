@@ -3,12 +3,14 @@ package org.dronemap.sim.autopilot.ardurover;
 import java.util.function.Consumer;
 import org.dronemap.sim.autopilot.ardupilot.ArduPilotFlight;
 import org.dronemap.sim.autopilot.ardupilot.ArduPilotMission;
+import org.dronemap.sim.autopilot.ardupilot.RallyPoints;
 import org.dronemap.sim.flight.Braking;
 import org.dronemap.sim.flight.CruiseSpeeds;
 import org.dronemap.sim.flight.DriveTo;
 import org.dronemap.sim.flight.FlightEvent;
 import org.dronemap.sim.flight.Grounded;
 import org.dronemap.sim.flight.Manoeuvre;
+import org.dronemap.sim.flight.ReturnPath;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.SimulatedMission;
 import org.dronemap.sim.flight.SimulatedParameters;
@@ -20,7 +22,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The current mode of the simulated ArduRover, and how it drives in it. Nobody is at its sticks: driven by hand it rolls
- * out and stands. SMART_RTL drives straight home instead of back the way it came.
+ * out and stands.
  */
 final class RoverFlight implements ArduPilotFlight {
     private static final MotionSetpoint STILL = new MotionSetpoint.Still();
@@ -34,6 +36,8 @@ final class RoverFlight implements ArduPilotFlight {
     private final SimulatedMission plan;
     private final SimulatedParameters parameters;
     private final Consumer<FlightEvent> events;
+    private final ReturnPath returnPath;
+    private final RallyPoints rallyPoints;
     private final RoverMissionTexts texts;
     private final ArduPilotMission mission;
     private final CruiseSpeeds cruise = new CruiseSpeeds(5, 0, 0, 0);
@@ -43,10 +47,17 @@ final class RoverFlight implements ArduPilotFlight {
     private boolean missionDone;
 
     RoverFlight(
-            SimulatedCraft craft, SimulatedMission plan, SimulatedParameters parameters, Consumer<FlightEvent> events) {
+            SimulatedCraft craft,
+            SimulatedMission plan,
+            SimulatedParameters parameters,
+            ReturnPath returnPath,
+            RallyPoints rallyPoints,
+            Consumer<FlightEvent> events) {
         this.craft = craft;
         this.plan = plan;
         this.parameters = parameters;
+        this.returnPath = returnPath;
+        this.rallyPoints = rallyPoints;
         this.events = events;
         this.texts = new RoverMissionTexts(plan, events);
         this.mission = new ArduPilotMission(plan, this::handle);
@@ -111,13 +122,16 @@ final class RoverFlight implements ArduPilotFlight {
         if (mode == RoverMode.AUTO) {
             mission.leave();
         }
+        if (manoeuvre instanceof RoverSmartReturn back) {
+            back.leave();
+        }
         mode = next;
         arrivalDue = next == RoverMode.RTL || next == RoverMode.SMART_RTL;
         readSpeeds();
         manoeuvre = switch (next) {
             case AUTO -> startMission();
             case RTL -> returnHome();
-            case SMART_RTL -> isHome() ? new Braking() : returnHome();
+            case SMART_RTL -> new RoverSmartReturn(returnPath, cruise, parameters.value("WP_RADIUS"));
             case LOITER -> loiter();
             case GUIDED -> isBoat() ? loiter() : new Braking();
             default -> new Grounded();
@@ -135,11 +149,7 @@ final class RoverFlight implements ArduPilotFlight {
         if (parameters.value("RTL_SPEED") > 0) {
             cruise.setHorizontal(parameters.value("RTL_SPEED"));
         }
-        return new DriveTo(craft, craft.homePosition(), cruise, parameters.value("WP_RADIUS"));
-    }
-
-    private boolean isHome() {
-        return craft.body().position().horizontalDistanceTo(craft.homePosition()) < parameters.value("WP_RADIUS");
+        return new DriveTo(craft, rallyPoints.orHome(craft.homePosition()), cruise, parameters.value("WP_RADIUS"));
     }
 
     private Manoeuvre loiter() {

@@ -9,12 +9,15 @@ import org.dronemap.sim.flight.MissionLegs;
 import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.flight.SimulatedMission;
 import org.dronemap.sim.flight.SimulatedMissionItem;
+import org.dronemap.sim.physics.NeuPosition;
 
 /**
  * Makes the manoeuvres by which the simulated ArduRover drives the items of its mission; take-off and landing it passes
  * over.
  */
 final class RoverLegs implements MissionLegs {
+    private static final double LEAST_RADIUS = 0.5;
+
     private final SimulatedMission plan;
     private final CruiseSpeeds cruise;
     private final double radius;
@@ -35,6 +38,7 @@ final class RoverLegs implements MissionLegs {
             case SimulatedMissionItem.WAYPOINT,
                     SimulatedMissionItem.LOITER_UNLIMITED,
                     SimulatedMissionItem.LOITER_TIME,
+                    SimulatedMissionItem.LOITER_TURNS,
                     SimulatedMissionItem.RETURN_TO_LAUNCH,
                     SimulatedMissionItem.DELAY -> true;
             default -> false;
@@ -51,12 +55,18 @@ final class RoverLegs implements MissionLegs {
     public Manoeuvre legFor(SimulatedMissionItem item, SimulatedCraft craft, double yaw) {
         return switch (item.command()) {
             case SimulatedMissionItem.DELAY -> new Braking();
+            case SimulatedMissionItem.LOITER_TURNS -> circle(item, craft.targetOf(item));
             case SimulatedMissionItem.RETURN_TO_LAUNCH -> new DriveTo(craft, craft.homePosition(), cruise, radius);
             default ->
                 stopsAt(item)
                         ? new DriveTo(craft, craft.targetOf(item), cruise, radius)
                         : DriveTo.through(craft, craft.targetOf(item), cruise, radius);
         };
+    }
+
+    private RoverCircle circle(SimulatedMissionItem item, NeuPosition centre) {
+        double size = Math.max(LEAST_RADIUS, Math.abs(item.param3()));
+        return new RoverCircle(centre, item.param3() < 0 ? -size : size, item.param1(), cruise);
     }
 
     private boolean stopsAt(SimulatedMissionItem item) {

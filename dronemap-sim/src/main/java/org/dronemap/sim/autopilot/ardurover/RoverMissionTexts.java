@@ -70,8 +70,11 @@ final class RoverMissionTexts {
     }
 
     private void sendArrival(int index, SimulatedMissionItem item) {
-        boolean toPlace =
-                item.command() != SimulatedMissionItem.DELAY && item.command() != SimulatedMissionItem.RETURN_TO_LAUNCH;
+        boolean toPlace = switch (item.command()) {
+            case SimulatedMissionItem.DELAY, SimulatedMissionItem.RETURN_TO_LAUNCH, SimulatedMissionItem.LOITER_TURNS ->
+                false;
+            default -> true;
+        };
         if (toPlace) {
             int seconds = item.command() == SimulatedMissionItem.LOITER_UNLIMITED ? 0 : (int) item.param1();
             sendText(

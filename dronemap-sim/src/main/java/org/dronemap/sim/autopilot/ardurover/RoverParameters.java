@@ -5,14 +5,18 @@ import static org.dronemap.sim.flight.SimulatedParameters.INT8;
 import static org.dronemap.sim.flight.SimulatedParameters.REAL32;
 
 import org.dronemap.sim.autopilot.ardupilot.ArduPilotParameters;
+import org.dronemap.sim.autopilot.ardupilot.RallyPoints;
 import org.dronemap.sim.flight.SimulatedParameters;
 
 /** The parameters that the simulated ArduRover heeds, with ArduRover's defaults. */
 final class RoverParameters {
+    private static final int FENCE_WITHOUT_HEIGHT = 6;
+
     private RoverParameters() {}
 
     static SimulatedParameters defaults(int systemId, double batteryMilliampHours) {
-        return ArduPilotParameters.shared(systemId, batteryMilliampHours)
+        SimulatedParameters table = RallyPoints.withParameters(
+                        ArduPilotParameters.shared(systemId, batteryMilliampHours), 0.5, true)
                 .add("FS_ACTION", INT8, 2)
                 .add("FS_TIMEOUT", REAL32, 1.5)
                 .add("FS_THR_ENABLE", INT8, 1)
@@ -28,5 +32,7 @@ final class RoverParameters {
                 .add("WP_RADIUS", REAL32, 3)
                 .add("RTL_SPEED", REAL32, 0)
                 .add("LOIT_RADIUS", REAL32, 2);
+        table.set("FENCE_TYPE", FENCE_WITHOUT_HEIGHT);
+        return table;
     }
 }

@@ -51,7 +51,7 @@ public final class SimulatedArduRover extends SimulatedArduPilot {
                 events,
                 out,
                 modeAnnouncer);
-        this.flight = new RoverFlight(craft, plan(), parameters(), events);
+        this.flight = new RoverFlight(craft, plan(), parameters(), returnPath(), rallyPoints(), events);
         this.failsafes = new RoverFailsafes(this, battery());
         this.checks = new RoverArmingChecks(craft, parameters(), plan(), battery());
         this.orders = new RoverCommands(this, flight);
@@ -98,6 +98,9 @@ public final class SimulatedArduRover extends SimulatedArduPilot {
         }
         if (mode == RoverMode.AUTO && flight.mission().isEmpty()) {
             sendText(TextSeverity.NOTICE, "No Mission. Can't set AUTO.");
+            return refuse();
+        }
+        if (mode == RoverMode.SMART_RTL && craft().armed() && !returnPath().isKnown()) {
             return refuse();
         }
         flight.enter((RoverMode) mode);
