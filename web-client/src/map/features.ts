@@ -5,6 +5,7 @@ import { placeOf } from '../fleet/place';
 import { statusOf } from '../fleet/drone-status';
 import type { Coordinates } from '../geo/coordinates';
 import type { Draft } from '../plan/draft';
+import { LANDING_KEY, landingPlace } from '../plan/landing';
 import { itemNumber, waypointNumber } from '../plan/numbering';
 import { age } from '../ui/format';
 
@@ -85,12 +86,16 @@ export function missionFeatures(drone: Drone | null): FeatureCollection {
     return collect([]);
   }
   const reached = new Set(mission.reached);
-  const points = mission.items.flatMap((item, index) =>
-    item.type === 'waypoint' ? [{ index, at: [item.longitude, item.latitude] as Position }] : [],
-  );
-  const features: Feature[] = points.map(({ index, at }) =>
+  const points = mission.items.flatMap((item, index) => {
+    const place = item.type === 'waypoint' ? item : landingPlace(item);
+    return place === null
+      ? []
+      : [{ index, at: positionOf(place), words: item.type === 'land' ? LANDING_WORDS : '' }];
+  });
+  const features: Feature[] = points.map(({ index, at, words }) =>
     point(at, {
       label: String(itemNumber(index)),
+      words,
       state: reached.has(index)
         ? 'reached'
         : mission.running && mission.current === index
@@ -108,22 +113,37 @@ export function missionFeatures(drone: Drone | null): FeatureCollection {
   ]);
 }
 
+const LANDING_WORDS = 'Land';
+
 /** The plan: violet, because it is not yet true; without a way where it has no order yet. */
 export function draftFeatures(draft: Draft | null, drone: Drone | null, ordered = true): FeatureCollection {
   if (draft === null) {
     return collect([]);
   }
-  const points = draft.waypoints.map((waypoint): Position => [waypoint.longitude, waypoint.latitude]);
+  const landing = ordered && draft.ending === 'land' ? (draft.landing?.place ?? null) : null;
+  const points = draft.waypoints.map(positionOf);
   const ending: MissionItem | undefined =
     draft.ending === 'returnToLaunch' ? { type: 'returnToLaunch' } : undefined;
   return collect([
-    ...(ordered ? wayOf(points, ending, drone?.home ?? null) : []),
+    ...(ordered
+      ? wayOf(landing === null ? points : [...points, positionOf(landing)], ending, drone?.home ?? null)
+      : []),
     ...draft.waypoints.map((waypoint, index) =>
-      point([waypoint.longitude, waypoint.latitude], {
+      point(positionOf(waypoint), {
         key: waypoint.key,
         label: String(waypointNumber(draft, drone, index)),
+        words: '',
       }),
     ),
+    ...(landing === null
+      ? []
+      : [
+          point(positionOf(landing), {
+            key: LANDING_KEY,
+            label: String(waypointNumber(draft, drone, draft.waypoints.length)),
+            words: LANDING_WORDS,
+          }),
+        ]),
   ]);
 }
 
@@ -150,6 +170,10 @@ function wayOf(points: Position[], last: MissionItem | undefined, home: Home | n
   const way =
     last?.type === 'returnToLaunch' && home !== null ? [...points, [home.longitude, home.latitude]] : points;
   return way.length < 2 ? [] : [line(way, {})];
+}
+
+function positionOf(place: Coordinates): Position {
+  return [place.longitude, place.latitude];
 }
 
 function point(coordinates: Position, properties: Record<string, unknown>): Feature<Point> {

@@ -1,4 +1,6 @@
 import type { Drone, MissionItem, VehicleMission } from '../api/types';
+import { formatCoordinates } from '../geo/coordinates';
+import { landingPlace } from '../plan/landing';
 import { itemNumber } from '../plan/numbering';
 import { counted, fixed } from '../ui/format';
 
@@ -74,8 +76,10 @@ function itemText(item: MissionItem): string {
     }
     case 'returnToLaunch':
       return 'Return to launch';
-    case 'land':
-      return 'Land';
+    case 'land': {
+      const place = landingPlace(item);
+      return place === null ? 'Land' : `Land at ${formatCoordinates(place)}`;
+    }
     case 'wait':
       return `Wait ${fixed(item.holdSeconds)} s`;
     case 'takePhoto':
