@@ -1,4 +1,8 @@
+import type { Drone } from '../api/types';
+import type { Draft } from '../plan/draft';
+import { beginsWithTakeOff } from '../plan/numbering';
 import type { Attempt } from '../state/commands.svelte';
+import type { Station } from '../state/station.svelte';
 
 /** The reason for which an upload was refused, at the item that it is about. */
 export interface ItemFault {
@@ -21,13 +25,23 @@ export function itemFault(attempt: Attempt | null, before: number): ItemFault | 
   }
   const field = FIELD.exec(attempt.field ?? '');
   if (field !== null && attempt.problem !== null) {
-    return { number: Number(field[1]) + 1 + before, sentence: attempt.problem };
+    // Its number is that in the request, which this one is not where the cloud adds a take-off.
+    const sentence = SENTENCE.exec(attempt.problem)?.[2] ?? attempt.problem;
+    return { number: Number(field[1]) + 1 + before, sentence: capital(sentence) };
   }
   const { outcome } = attempt;
   const named = outcome?.code === 'mission-not-for-vehicle' ? SENTENCE.exec(outcome.reason ?? '') : null;
-  if (named === null) {
-    return null;
-  }
-  const sentence = named[2] ?? '';
-  return { number: Number(named[1]), sentence: sentence.charAt(0).toUpperCase() + sentence.slice(1) };
+  return named === null ? null : { number: Number(named[1]), sentence: capital(named[2] ?? '') };
+}
+
+/** The same of the plan that was last uploaded to a drone, as long as nothing of it was edited since. */
+export function draftFault(station: Station, drone: Drone, draft: Draft): ItemFault | null {
+  const added = !draft.takeOff && beginsWithTakeOff(draft, drone) ? 1 : 0;
+  // Looked at first: what was sent is no state, whose change would have this worked out again.
+  const found = itemFault(station.commands.attempt(drone.id, 'uploadMission'), added);
+  return station.planner.wasSent(drone.id) ? found : null;
+}
+
+function capital(sentence: string): string {
+  return sentence.charAt(0).toUpperCase() + sentence.slice(1);
 }

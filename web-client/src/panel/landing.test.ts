@@ -117,9 +117,9 @@ describe('the landing place of a mission', () => {
     vi.spyOn(station.rest, 'sendCommand').mockRejectedValue(
       new Problem({
         status: 422,
-        detail: 'Too high.',
+        detail: 'Item 2 (waypoint): too high.',
         field: 'items[1].altitude',
-        code: 'value-out-of-range',
+        code: 'mission-unusable',
       }),
     );
     click(station, 47.4);
@@ -127,6 +127,7 @@ describe('the landing place of a mission', () => {
     await fireEvent.click(screen.getByRole('button', { name: 'Upload mission' }));
     const item = (await screen.findByText('Too high.')).closest('li');
     expect(item?.querySelector('.mark')?.textContent).toBe('3');
+    expect(screen.getByText('Not uploaded: item 3 above says why.')).toBeDefined();
   });
 });
 
