@@ -80,13 +80,14 @@ final class ClientCommandReader {
     /** What a client is told beside the answer, since the vehicle does not do all of what was asked; null: nothing. */
     static @Nullable String remark(Context asked) {
         CommandInt command = asked.command();
-        Position here = asked.state().position();
+        Position position = asked.state().position();
+        Geodetic here = position == null ? null : position.point();
         boolean place = command.command() == LAND
                 && command.x() != 0
                 && command.y() != 0
                 && Math.abs((long) command.x()) <= 90 * E7
                 && Math.abs((long) command.y()) <= 180 * E7;
-        return place && here != null && Geodesy.distanceMeters(here.point(), point(command)) > SAME_PLACE_METERS
+        return place && here != null && Geodesy.distanceMeters(here, point(command)) > SAME_PLACE_METERS
                 ? "It lands where it is, not at the place that is named; to land there, fly a mission that ends so."
                 : null;
     }
