@@ -120,31 +120,34 @@ export function draftFeatures(draft: Draft | null, drone: Drone | null, ordered 
   if (draft === null) {
     return collect([]);
   }
-  const landing = ordered && draft.ending === 'land' ? (draft.landing?.place ?? null) : null;
-  const points = draft.waypoints.map(positionOf);
+  const waypoints = draft.waypoints.map((waypoint, index) =>
+    point(positionOf(waypoint), {
+      key: waypoint.key,
+      label: String(waypointNumber(draft, drone, index)),
+      words: '',
+    }),
+  );
+  return collect(
+    ordered ? [...draftWay(draft, drone), ...waypoints, ...draftLanding(draft, drone)] : waypoints,
+  );
+}
+
+function landingOfDraft({ ending, landing }: Draft): Coordinates | null {
+  return ending === 'land' ? (landing?.place ?? null) : null;
+}
+
+function draftWay(draft: Draft, drone: Drone | null): Feature[] {
+  const place = landingOfDraft(draft);
+  const points = [...draft.waypoints, ...(place === null ? [] : [place])].map(positionOf);
   const ending: MissionItem | undefined =
     draft.ending === 'returnToLaunch' ? { type: 'returnToLaunch' } : undefined;
-  return collect([
-    ...(ordered
-      ? wayOf(landing === null ? points : [...points, positionOf(landing)], ending, drone?.home ?? null)
-      : []),
-    ...draft.waypoints.map((waypoint, index) =>
-      point(positionOf(waypoint), {
-        key: waypoint.key,
-        label: String(waypointNumber(draft, drone, index)),
-        words: '',
-      }),
-    ),
-    ...(landing === null
-      ? []
-      : [
-          point(positionOf(landing), {
-            key: LANDING_KEY,
-            label: String(waypointNumber(draft, drone, draft.waypoints.length)),
-            words: LANDING_WORDS,
-          }),
-        ]),
-  ]);
+  return wayOf(points, ending, drone?.home ?? null);
+}
+
+function draftLanding(draft: Draft, drone: Drone | null): Feature[] {
+  const place = landingOfDraft(draft);
+  const label = String(waypointNumber(draft, drone, draft.waypoints.length));
+  return place === null ? [] : [point(positionOf(place), { key: LANDING_KEY, label, words: LANDING_WORDS })];
 }
 
 /** The place where a drone in the air would land, and the way there; nothing when it is below the drone. */

@@ -1,4 +1,4 @@
-import type { Drone } from '../api/types';
+import type { Drone, Outcome } from '../api/types';
 import type { Draft } from '../plan/draft';
 import { beginsWithTakeOff } from '../plan/numbering';
 import type { Attempt } from '../state/commands.svelte';
@@ -20,18 +20,23 @@ const SENTENCE = /^Item (\d+) \([^)]*\): ?(.*)$/s;
  * @param before how many items the cloud puts in front of those that were sent
  */
 export function itemFault(attempt: Attempt | null, before: number): ItemFault | null {
-  if (attempt === null || attempt.phase !== 'done') {
+  return attempt?.phase !== 'done'
+    ? null
+    : (faultOfField(attempt, before) ?? faultOfSentence(attempt.outcome));
+}
+
+/** Its number is that in the request, which is not the vehicle's where the cloud adds a take-off. */
+function faultOfField({ field, problem }: Attempt, before: number): ItemFault | null {
+  const item = FIELD.exec(field ?? '');
+  if (item === null || problem === null) {
     return null;
   }
-  const field = FIELD.exec(attempt.field ?? '');
-  if (field !== null && attempt.problem !== null) {
-    // Its number is that in the request, which this one is not where the cloud adds a take-off.
-    const sentence = SENTENCE.exec(attempt.problem)?.[2] ?? attempt.problem;
-    return { number: Number(field[1]) + 1 + before, sentence: capital(sentence) };
-  }
-  const { outcome } = attempt;
-  const named = outcome?.code === 'mission-not-for-vehicle' ? SENTENCE.exec(outcome.reason ?? '') : null;
-  return named === null ? null : { number: Number(named[1]), sentence: capital(named[2] ?? '') };
+  return { number: Number(item[1]) + 1 + before, sentence: capital(SENTENCE.exec(problem)?.[2] ?? problem) };
+}
+
+function faultOfSentence(outcome: Outcome | null): ItemFault | null {
+  const item = outcome?.code === 'mission-not-for-vehicle' ? SENTENCE.exec(outcome.reason ?? '') : null;
+  return item === null ? null : { number: Number(item[1]), sentence: capital(item[2] ?? '') };
 }
 
 /** The same of the plan that was last uploaded to a drone, as long as nothing of it was edited since. */

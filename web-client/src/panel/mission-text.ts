@@ -65,6 +65,11 @@ export function whyNoStart(drone: Drone): string | null {
   return mission?.running && flight !== 'onGround' && !isComplete(mission) ? 'It is running.' : null;
 }
 
+function landText(item: MissionItem): string {
+  const place = landingPlace(item);
+  return place === null ? 'Land' : `Land at ${formatCoordinates(place)}`;
+}
+
 function itemText(item: MissionItem): string {
   switch (item.type) {
     case 'takeOff':
@@ -76,10 +81,8 @@ function itemText(item: MissionItem): string {
     }
     case 'returnToLaunch':
       return 'Return to launch';
-    case 'land': {
-      const place = landingPlace(item);
-      return place === null ? 'Land' : `Land at ${formatCoordinates(place)}`;
-    }
+    case 'land':
+      return landText(item);
     case 'wait':
       return `Wait ${fixed(item.holdSeconds)} s`;
     case 'takePhoto':
