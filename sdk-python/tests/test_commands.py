@@ -51,6 +51,18 @@ def test_refusal_by_the_server_is_an_outcome(server: Dronemap, mock: MockTranspo
     assert "It is already in the air." in str(raised.value)
 
 
+def test_speed_is_changed_by_its_number_and_refused_with_the_range(server: Dronemap, mock: MockTransport) -> None:
+    mock.add_drone("alpha")
+    server.drone().change_speed(5)
+    assert mock.commands[-1]["type"] == "changeSpeed"
+    assert mock.commands[-1]["metersPerSecond"] == 5
+    sentence = "metersPerSecond must be 0.2 to 30 for a vehicle of this kind (multicopter), not 40."
+    mock.refuse("changeSpeed", "speed-not-possible", sentence)
+    with pytest.raises(Refused, match="0.2 to 30") as raised:
+        server.drone().change_speed(40)
+    assert raised.value.code == "speed-not-possible"
+
+
 def test_command_whose_answer_is_lost_acts_once(server: Dronemap, mock: MockTransport) -> None:
     mock.add_drone("alpha")
     mock.lose_answers("POST", 2)

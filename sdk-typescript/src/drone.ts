@@ -11,6 +11,9 @@ import { newUuid } from './uuid.js';
 import type { SharedStream } from './watch/shared-stream.js';
 import { readable, statesOf, type StatesOptions } from './watch/watching.js';
 
+/** The server waits for the vehicle's answer for 8 s. */
+const SPEED_MILLISECONDS = 30_000;
+
 export interface DronePorts {
   readonly rest: RestOperations;
   readonly stream: SharedStream;
@@ -96,6 +99,17 @@ export class Drone {
       }
       throw thrown;
     }
+  }
+
+  /**
+   * Goes on at that speed in m/s, over the ground or, what flies on wings alone, through the air, until its mode changes;
+   * resolves when the vehicle does. A speed that its kind does not go at is refused with the range.
+   *
+   * @throws as `command` and `outcome`; OutcomeUnknown also when the vehicle has not answered within 30 s
+   */
+  async changeSpeed(metersPerSecond: number, options: CommandOptions = {}): Promise<void> {
+    const given = await this.command({ type: 'changeSpeed', metersPerSecond }, options);
+    await given.outcome({ signal: options.signal, timeout: SPEED_MILLISECONDS });
   }
 
   async #give(request: CommandRequest, id: string, options: GiveOptions): Promise<GivenCommand> {

@@ -208,7 +208,7 @@ return [
         'ParameterView' => ['name' => 'string', 'type' => 'string', 'value' => 'double'],
         'ParametersDifferenceView' => ['name' => 'string', 'type' => 'string', 'held' => 'double', 'wanted' => 'double'],
         'ParametersFileView' => ['different' => 'list of ParametersDifferenceView', 'same' => 'int', 'unknown' => 'list of string', 'unfit' => 'list of ParametersDifferenceView', 'leftOut' => 'list of ParametersLeftOutView', 'command' => 'CommandView|null'],
-        'ParametersLeftOutView' => ['line' => 'int', 'why' => 'string'],
+        'ParametersLeftOutView' => ['line' => 'int', 'code' => 'string', 'why' => 'string'],
         'ParametersView' => ['readAt' => 'dateTime|null', 'total' => 'int', 'parameters' => 'list of ParameterView'],
         'PauseMissionCommand' => ['id' => 'string|null', 'epoch' => 'long|null'],
         'PlanDroneName' => ['id' => 'string', 'name' => 'string'],

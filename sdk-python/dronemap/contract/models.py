@@ -1430,6 +1430,7 @@ class ParametersDifferenceView(Model):
 
 
 class ParametersLeftOutView(Model):
+    code: str
     line: int
     why: str
 

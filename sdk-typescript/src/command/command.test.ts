@@ -70,6 +70,23 @@ describe('a command', () => {
     });
   });
 
+  it('that changes the speed is over when the vehicle has taken it', async () => {
+    ending({});
+    await all.drone.changeSpeed(5);
+    const { body } = all.server.asked.find(({ what }) => what === GIVE) ?? {};
+    expect(body).toMatchObject({ type: 'changeSpeed', metersPerSecond: 5 });
+  });
+
+  it('that changes the speed says the range that the vehicle has', async () => {
+    const reason = 'metersPerSecond must be 0.2 to 30 for a vehicle of this kind (multicopter), not 40.';
+    ending({ result: 'refused', by: 'gate', reason, code: 'speed-not-possible' });
+    const thrown = await all.drone.changeSpeed(40).catch((one: unknown) => one);
+    expect(thrown).toBeInstanceOf(Refused);
+    expect(thrown).toMatchObject({ code: 'speed-not-possible', message: reason });
+    ending({ result: 'timedOut', reason: 'No answer within 8 s.' });
+    await expect(all.drone.changeSpeed(4)).rejects.toThrow(TimedOut);
+  });
+
   it('that is wrong in itself is a problem', async () => {
     const problem = {
       code: 'value-out-of-range',

@@ -2990,6 +2990,7 @@ export interface components {
             unknown: string[];
         };
         ParametersLeftOutView: {
+            code: string;
             /** Format: int32 */
             line: number;
             why: string;

@@ -1,8 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import { aDrone, anOutlook } from '../testing';
+import type { MissionItem } from '../api/types';
+import { aDrone, aMission, anOutlook } from '../testing';
 import { draftFeatures, droneFeatures, landingFeatures, missionFeatures, trailFeatures } from './features';
 import { gridLines, gridStep } from './grid';
 import { addWaypoint, emptyDraft } from '../plan/draft';
+import { emptyLanding } from '../plan/landing';
 
 const wp = (latitude: number) =>
   ({ type: 'waypoint', latitude, longitude: 8, altitude: 20, altitudeReference: 'home' }) as const;
@@ -68,6 +70,29 @@ describe('map features', () => {
         [8.5456, 47.3977],
       ],
     });
+  });
+
+  it('shows where a mission lands, planned and on the vehicle, and the way there', () => {
+    const land = { latitude: 47.6, longitude: 8.6 };
+    const draft = {
+      ...addWaypoint(emptyDraft(), { latitude: 47.5, longitude: 8.5 }, 20),
+      ending: 'land' as const,
+      landing: { ...emptyLanding(), place: land },
+    };
+    const way = [
+      [8.5, 47.5],
+      [8.6, 47.6],
+    ];
+    const planned = draftFeatures(draft, aDrone()).features;
+    expect(planned[0]?.geometry).toMatchObject({ coordinates: way });
+    expect(planned[2]?.properties).toEqual({ key: 0, label: '3', words: 'Land' });
+    const items: MissionItem[] = [
+      { type: 'waypoint', latitude: 47.5, longitude: 8.5, altitude: 20, altitudeReference: 'home' },
+      { type: 'land', ...land },
+    ];
+    const flown = missionFeatures(aDrone({ mission: aMission({ items }) })).features;
+    expect(flown[0]?.geometry).toMatchObject({ coordinates: way });
+    expect(flown[2]?.properties).toEqual({ label: '2', words: 'Land', state: 'ahead' });
   });
 
   it('leads to where the drone would be brought down, unless that is where it is', () => {

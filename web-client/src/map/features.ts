@@ -5,6 +5,7 @@ import { placeOf } from '../fleet/place';
 import { statusOf } from '../fleet/drone-status';
 import type { Coordinates } from '../geo/coordinates';
 import type { Draft } from '../plan/draft';
+import { LANDING_KEY, landingPlace } from '../plan/landing';
 import { itemNumber, waypointNumber } from '../plan/numbering';
 import { age } from '../ui/format';
 
@@ -85,12 +86,16 @@ export function missionFeatures(drone: Drone | null): FeatureCollection {
     return collect([]);
   }
   const reached = new Set(mission.reached);
-  const points = mission.items.flatMap((item, index) =>
-    item.type === 'waypoint' ? [{ index, at: [item.longitude, item.latitude] as Position }] : [],
-  );
-  const features: Feature[] = points.map(({ index, at }) =>
+  const points = mission.items.flatMap((item, index) => {
+    const place = item.type === 'waypoint' ? item : landingPlace(item);
+    return place === null
+      ? []
+      : [{ index, at: positionOf(place), words: item.type === 'land' ? LANDING_WORDS : '' }];
+  });
+  const features: Feature[] = points.map(({ index, at, words }) =>
     point(at, {
       label: String(itemNumber(index)),
+      words,
       state: reached.has(index)
         ? 'reached'
         : mission.running && mission.current === index
@@ -108,23 +113,41 @@ export function missionFeatures(drone: Drone | null): FeatureCollection {
   ]);
 }
 
+const LANDING_WORDS = 'Land';
+
 /** The plan: violet, because it is not yet true; without a way where it has no order yet. */
 export function draftFeatures(draft: Draft | null, drone: Drone | null, ordered = true): FeatureCollection {
   if (draft === null) {
     return collect([]);
   }
-  const points = draft.waypoints.map((waypoint): Position => [waypoint.longitude, waypoint.latitude]);
+  const waypoints = draft.waypoints.map((waypoint, index) =>
+    point(positionOf(waypoint), {
+      key: waypoint.key,
+      label: String(waypointNumber(draft, drone, index)),
+      words: '',
+    }),
+  );
+  return collect(
+    ordered ? [...draftWay(draft, drone), ...waypoints, ...draftLanding(draft, drone)] : waypoints,
+  );
+}
+
+function landingOfDraft({ ending, landing }: Draft): Coordinates | null {
+  return ending === 'land' ? (landing?.place ?? null) : null;
+}
+
+function draftWay(draft: Draft, drone: Drone | null): Feature[] {
+  const place = landingOfDraft(draft);
+  const points = [...draft.waypoints, ...(place === null ? [] : [place])].map(positionOf);
   const ending: MissionItem | undefined =
     draft.ending === 'returnToLaunch' ? { type: 'returnToLaunch' } : undefined;
-  return collect([
-    ...(ordered ? wayOf(points, ending, drone?.home ?? null) : []),
-    ...draft.waypoints.map((waypoint, index) =>
-      point([waypoint.longitude, waypoint.latitude], {
-        key: waypoint.key,
-        label: String(waypointNumber(draft, drone, index)),
-      }),
-    ),
-  ]);
+  return wayOf(points, ending, drone?.home ?? null);
+}
+
+function draftLanding(draft: Draft, drone: Drone | null): Feature[] {
+  const place = landingOfDraft(draft);
+  const label = String(waypointNumber(draft, drone, draft.waypoints.length));
+  return place === null ? [] : [point(positionOf(place), { key: LANDING_KEY, label, words: LANDING_WORDS })];
 }
 
 /** The place where a drone in the air would land, and the way there; nothing when it is below the drone. */
@@ -150,6 +173,10 @@ function wayOf(points: Position[], last: MissionItem | undefined, home: Home | n
   const way =
     last?.type === 'returnToLaunch' && home !== null ? [...points, [home.longitude, home.latitude]] : points;
   return way.length < 2 ? [] : [line(way, {})];
+}
+
+function positionOf(place: Coordinates): Position {
+  return [place.longitude, place.latitude];
 }
 
 function point(coordinates: Position, properties: Record<string, unknown>): Feature<Point> {

@@ -26,8 +26,10 @@ export function missionLayers(palette: Palette): LayerSpecification[] {
       palette.blue,
       palette.neutral,
     ]),
+    wordsLayer('mission', palette, palette.neutral),
     wayLayer('draft', palette.violet, [2, 1.5]),
     ...numberLayers('draft', palette, palette.violet),
+    wordsLayer('draft', palette, palette.violet),
     ...landingLayers(palette),
     {
       id: 'home',
@@ -42,6 +44,25 @@ export function missionLayers(palette: Palette): LayerSpecification[] {
       layout: { 'icon-image': 'target', 'icon-allow-overlap': true, 'icon-ignore-placement': true },
     },
   ];
+}
+
+/** Under the mark of an item that is more than a waypoint. */
+function wordsLayer(source: string, palette: Palette, colour: string): LayerSpecification {
+  return {
+    id: `${source}-words`,
+    type: 'symbol',
+    source,
+    filter: ['==', ['geometry-type'], 'Point'],
+    layout: {
+      'text-field': ['get', 'words'],
+      'text-font': MAP_FONT,
+      'text-size': 12,
+      'text-anchor': 'top',
+      'text-offset': [0, 1.1],
+      'text-optional': true,
+    },
+    paint: { 'text-color': colour, 'text-halo-color': palette.halo, 'text-halo-width': 1.6 },
+  };
 }
 
 /** Violet as all that is not yet true, and thin: nobody has asked for it. Under the home, which it mostly is. */

@@ -11,6 +11,7 @@ const attempt = (change: Partial<Attempt>): Attempt => ({
   phase: 'done',
   outcome: null,
   problem: null,
+  field: null,
   progress: null,
   ...change,
 });

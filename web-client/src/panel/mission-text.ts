@@ -1,4 +1,6 @@
 import type { Drone, MissionItem, VehicleMission } from '../api/types';
+import { formatCoordinates } from '../geo/coordinates';
+import { landingPlace } from '../plan/landing';
 import { itemNumber } from '../plan/numbering';
 import { counted, fixed } from '../ui/format';
 
@@ -63,6 +65,11 @@ export function whyNoStart(drone: Drone): string | null {
   return mission?.running && flight !== 'onGround' && !isComplete(mission) ? 'It is running.' : null;
 }
 
+function landText(item: MissionItem): string {
+  const place = landingPlace(item);
+  return place === null ? 'Land' : `Land at ${formatCoordinates(place)}`;
+}
+
 function itemText(item: MissionItem): string {
   switch (item.type) {
     case 'takeOff':
@@ -75,7 +82,7 @@ function itemText(item: MissionItem): string {
     case 'returnToLaunch':
       return 'Return to launch';
     case 'land':
-      return 'Land';
+      return landText(item);
     case 'wait':
       return `Wait ${fixed(item.holdSeconds)} s`;
     case 'takePhoto':

@@ -46,6 +46,18 @@ describe('draft', () => {
     expect(whyNotReady(draft)).toBeNull();
   });
 
+  it('keeps the place of a landing through items and back', () => {
+    const items: MissionItem[] = [
+      { type: 'waypoint', ...A, altitude: 40, altitudeReference: 'amsl' },
+      { type: 'land', ...B, altitude: 410, altitudeReference: 'amsl' },
+    ];
+    expect(itemsOf(draftOf(items).draft)).toEqual(items);
+    const bare: MissionItem[] = [items[0] as MissionItem, { type: 'land', ...B }];
+    expect(itemsOf(draftOf(bare).draft)).toEqual(bare);
+    const none: MissionItem[] = [items[0] as MissionItem, { type: 'land', latitude: null, longitude: null }];
+    expect(itemsOf(draftOf(none).draft).at(-1)).toEqual({ type: 'land' });
+  });
+
   it('counts what the editor cannot express', () => {
     const { draft, leftOut } = draftOf([
       { type: 'other', description: 'DO_SET_SERVO' },

@@ -1,6 +1,7 @@
 import type { AltitudeReference, MissionItem, PlannedItem, WaypointItem } from '../api/types';
 import { parseCoordinateLines, type Coordinates } from '../geo/coordinates';
 import { wayLengthMeters } from '../geo/distance';
+import { landItem, landingOf, type DraftLanding } from './landing';
 
 export type Ending = 'hold' | 'returnToLaunch' | 'land';
 
@@ -19,6 +20,8 @@ export interface Draft {
   takeOffAltitude: number | null;
   waypoints: readonly DraftWaypoint[];
   ending: Ending;
+  /** Where it lands, of a mission that ends by landing at a place; null: where it is then. */
+  landing: DraftLanding | null;
   nextKey: number;
 }
 
@@ -33,9 +36,10 @@ export const PLACE_RANGE: AltitudeRange = { lowest: -500, highest: 10_000 };
 export const MOST_ITEMS = 500;
 
 export function emptyDraft(): Draft {
-  return { takeOff: false, takeOffAltitude: 20, waypoints: [], ending: 'hold', nextKey: 1 };
+  return { takeOff: false, takeOffAltitude: 20, waypoints: [], ending: 'hold', landing: null, nextKey: 1 };
 }
 
+/** Adds it at the end, or before the approach of a landing. */
 export function addWaypoint(draft: Draft, place: Coordinates, altitude: number | null): Draft {
   const waypoint: DraftWaypoint = {
     key: draft.nextKey,
@@ -45,7 +49,10 @@ export function addWaypoint(draft: Draft, place: Coordinates, altitude: number |
     altitudeReference: 'home',
     holdSeconds: null,
   };
-  return { ...draft, waypoints: [...draft.waypoints, waypoint], nextKey: draft.nextKey + 1 };
+  const last = draft.waypoints.at(-1);
+  const led = last !== undefined && last.key === draft.landing?.approach;
+  const at = led ? draft.waypoints.length - 1 : draft.waypoints.length;
+  return { ...draft, waypoints: draft.waypoints.toSpliced(at, 0, waypoint), nextKey: draft.nextKey + 1 };
 }
 
 export function removeWaypoint(draft: Draft, key: number): Draft {
@@ -99,8 +106,10 @@ export function itemsOf(draft: Draft): PlannedItem[] {
     items.push({ type: 'takeOff', altitude: draft.takeOffAltitude ?? Number.NaN });
   }
   items.push(...draft.waypoints.map(waypointItem));
-  if (draft.ending !== 'hold') {
-    items.push({ type: draft.ending });
+  if (draft.ending === 'land') {
+    items.push(landItem(draft.landing));
+  } else if (draft.ending === 'returnToLaunch') {
+    items.push({ type: 'returnToLaunch' });
   }
   return items;
 }
@@ -119,8 +128,10 @@ export function draftOf(items: readonly MissionItem[]): { draft: Draft; leftOut:
       });
     } else if (item.type === 'takeOff' && draft.waypoints.length === 0 && !draft.takeOff) {
       draft = { ...draft, takeOff: true, takeOffAltitude: item.altitude };
-    } else if ((item.type === 'returnToLaunch' || item.type === 'land') && last) {
-      draft = { ...draft, ending: item.type };
+    } else if (item.type === 'returnToLaunch' && last) {
+      draft = { ...draft, ending: 'returnToLaunch' };
+    } else if (item.type === 'land' && last) {
+      draft = { ...draft, ending: 'land', landing: landingOf(item) };
     } else {
       leftOut += 1;
     }
@@ -140,6 +151,22 @@ export function whyNotReady(draft: Draft, numberOf = ordinal): string | null {
   if (bad >= 0) {
     return altitudeRangeText(`The altitude of item ${numberOf(bad)}`, PLACE_RANGE);
   }
+  return whyNoLanding(draft) ?? tooLong(draft);
+}
+
+function whyNoLanding({ ending, landing }: Draft): string | null {
+  if (ending !== 'land' || landing === null) {
+    return null;
+  }
+  if (landing.place === null) {
+    return 'Set the landing place: on the map, or by coordinates.';
+  }
+  return landing.altitude === null || isWithin(PLACE_RANGE, landing.altitude)
+    ? null
+    : altitudeRangeText('The ground of the landing place', PLACE_RANGE);
+}
+
+function tooLong(draft: Draft): string | null {
   return itemsOf(draft).length > MOST_ITEMS ? `A mission holds at most ${MOST_ITEMS} items.` : null;
 }
 
@@ -157,7 +184,8 @@ function ordinal(index: number): number {
 }
 
 export function lengthMeters(draft: Draft): number {
-  return wayLengthMeters(draft.waypoints);
+  const place = draft.ending === 'land' ? (draft.landing?.place ?? null) : null;
+  return wayLengthMeters(place === null ? draft.waypoints : [...draft.waypoints, place]);
 }
 
 function waypointItem(waypoint: DraftWaypoint): WaypointItem {

@@ -25,7 +25,7 @@ describe('warnings about a mission', () => {
 
   it('name only the farthest of many', () => {
     expect(sentencesOf([at(47.1), at(47.12), at(47.11)], HERE)).toEqual([
-      '3 waypoints are more than 10 km away from the drone; item 2 is 13.34 km away.',
+      '3 places are more than 10 km away from the drone; item 2 is 13.34 km away.',
     ]);
   });
 

@@ -1,6 +1,7 @@
 import type { MissionItem } from '../api/types';
 import type { Coordinates } from '../geo/coordinates';
 import { distanceMeters, wayLengthMeters } from '../geo/distance';
+import { landingPlace } from './landing';
 import { distance, fixed } from '../ui/format';
 
 export const FAR_METERS = 10_000;
@@ -29,9 +30,14 @@ export function plausibilityWarnings(
   const places = items.flatMap((item, index): Place[] =>
     item.type === 'waypoint'
       ? [{ number: index + 1, latitude: item.latitude, longitude: item.longitude }]
-      : [],
+      : landings(item, index),
   );
   return [...farPlaces(places, from), ...longLeg(places), ...longWay(places), ...oddAltitudes(items)];
+}
+
+function landings(item: MissionItem, index: number): Place[] {
+  const place = landingPlace(item);
+  return place === null ? [] : [{ number: index + 1, ...place }];
 }
 
 function farPlaces(places: readonly Place[], from: Coordinates | null): PlausibilityWarning[] {
@@ -50,7 +56,7 @@ function farPlaces(places: readonly Place[], from: Coordinates | null): Plausibi
   const sentence =
     far.length === 1
       ? `Item ${place.number} is ${distance(meters)} away from the drone.`
-      : `${far.length} waypoints are more than ${FAR_METERS / 1000} km away from the drone; item ${place.number} is ${distance(meters)} away.`;
+      : `${far.length} places are more than ${FAR_METERS / 1000} km away from the drone; item ${place.number} is ${distance(meters)} away.`;
   return [{ key: `far ${nameOf(place)}`, sentence }];
 }
 

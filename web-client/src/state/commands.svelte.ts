@@ -11,6 +11,8 @@ export interface Attempt {
   outcome: Outcome | null;
   /** Set when the cloud did not accept the request. */
   problem: string | null;
+  /** The member of the request that the problem is about, where it is about one. */
+  field: string | null;
   progress: { done: number; total: number } | null;
 }
 
@@ -53,7 +55,16 @@ export class Commands {
   async send(drone: string, request: CommandRequest): Promise<Attempt> {
     const id = this.#newId();
     const { type } = request;
-    this.#put({ id, drone, type, phase: 'sending', outcome: null, problem: null, progress: null });
+    this.#put({
+      id,
+      drone,
+      type,
+      phase: 'sending',
+      outcome: null,
+      problem: null,
+      field: null,
+      progress: null,
+    });
     try {
       this.apply(await this.#port.sendCommand(drone, { ...request, id }));
     } catch (thrown) {
@@ -80,6 +91,7 @@ export class Commands {
         phase: command.phase,
         outcome: command.outcome,
         problem: null,
+        field: null,
         progress: command.progress ?? attempt.progress,
       };
       this.#put(next);
@@ -128,6 +140,7 @@ export class Commands {
         ? { result: 'refused', by: 'gate', reason: thrown.message, code: thrown.code }
         : null,
       problem: refusedByGate ? null : sentenceFor(thrown),
+      field: thrown instanceof Problem ? thrown.field : null,
     });
   }
 

@@ -1,5 +1,6 @@
 import type { CloudLoss, MissionItem } from '../api/types';
-import { addWaypoint, draftOf, emptyDraft, type Draft } from '../plan/draft';
+import { addWaypoint, changeWaypoint, draftOf, emptyDraft, type Draft } from '../plan/draft';
+import { emptyLanding, LANDING_KEY } from '../plan/landing';
 import type { Coordinates } from '../geo/coordinates';
 
 const MOST_UNDO = 100;
@@ -7,6 +8,8 @@ const MOST_UNDO = 100;
 /** The missions being planned, one draft a drone, with undo. Which drone is planned for now: `droneId`. */
 export class Planner {
   droneId = $state<string | null>(null);
+  /** The next place that is chosen on the map is that of the landing. */
+  placesLanding = $state(false);
   /** The altitude that the next waypoint gets, metres above home. */
   defaultAltitude = $state<number | null>(20);
   #drafts = $state.raw<ReadonlyMap<string, Draft>>(new Map());
@@ -46,7 +49,14 @@ export class Planner {
     }
   }
 
+  /** Opens the editor with a draft made for the drone, in place of what was drafted before; undo brings that back. */
+  beginWith(droneId: string, draft: Draft): void {
+    this.begin(droneId);
+    this.edit(() => draft);
+  }
+
   stop(): void {
+    this.placesLanding = false;
     this.droneId = null;
   }
 
@@ -62,13 +72,44 @@ export class Planner {
     }
   }
 
+  /** A place that was chosen on the map. */
   addAt(place: Coordinates): void {
+    if (this.placesLanding) {
+      this.placesLanding = false;
+      this.landAt(place);
+      return;
+    }
     this.edit((draft) => addWaypoint(draft, place, this.defaultAltitude));
+  }
+
+  /** The mission is to land there; its waypoints stay. */
+  landAt(place: Coordinates): void {
+    this.edit((draft) => ({
+      ...draft,
+      ending: 'land',
+      landing: { ...(draft.landing ?? emptyLanding()), place },
+    }));
+  }
+
+  /** A waypoint, or the landing place, was moved on the map. */
+  move(key: number, place: Coordinates): void {
+    if (key === LANDING_KEY) {
+      this.landAt(place);
+    } else {
+      this.edit((draft) => changeWaypoint(draft, key, place));
+    }
+  }
+
+  /** Whether this is what was last sent to the vehicle: edited since, what became of that no longer tells of it. */
+  wasSent(droneId: string): boolean {
+    const draft = this.draftFor(droneId);
+    return draft !== null && this.#sent.get(droneId) === draft;
   }
 
   /** Puts items into the editor in place of what is there; answers how many it could not take. */
   open(items: readonly MissionItem[]): number {
     const { draft, leftOut } = draftOf(items);
+    this.placesLanding = false;
     this.edit((old) => ({
       ...draft,
       waypoints: draft.waypoints.map((waypoint, index) => ({ ...waypoint, key: old.nextKey + index })),
@@ -80,6 +121,7 @@ export class Planner {
   undo(): void {
     const at = this.#undo.findLastIndex((step) => step.droneId === this.droneId);
     const step = this.#undo[at];
+    this.placesLanding = false;
     if (step !== undefined) {
       this.#undo = this.#undo.toSpliced(at, 1);
       this.#set(step.droneId, step.draft);

@@ -52,6 +52,8 @@ function stepBack(station: Station): boolean {
     view.page = 'map';
   } else if (runs.tool !== null) {
     runs.clearTool();
+  } else if (planner.placesLanding) {
+    planner.placesLanding = false;
   } else if (planner.droneId !== null) {
     planner.stop();
   } else if (view.selectedId !== null) {

@@ -8,10 +8,12 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.parameter.Parameter;
 import org.dronemap.core.parameter.ParameterType;
+import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.testserver.ScriptedVehicle;
 import org.dronemap.ws.testserver.TestHttpClient;
 import org.dronemap.ws.testserver.TestTenant;
@@ -108,6 +110,11 @@ class OddFilesTest {
                     .as("%s %s", operation, answer.raw().body())
                     .isBetween(200, 202);
             assertThat(answer.json().path("leftOut").size()).as(type).isEqualTo(1);
+            assertThat(answer.json().path("leftOut").path(0).path("code").asString())
+                    .as(type)
+                    .isIn(Stream.of(ValueProblem.values())
+                            .map(ValueProblem::word)
+                            .toList());
             assertThat(answer.json().path("leftOut").path(0).path("why").asString())
                     .as(type)
                     .endsWith(".");

@@ -7,12 +7,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Pattern;
+import org.dronemap.core.parameter.ParameterFileContent.Reason;
 
 /**
  * Reads parameter files as QGroundControl, Mission Planner, MAVProxy and ArduPilot write them: name and value in a line,
  * apart by a comma, an equals sign or blanks, or in the third and fourth of five columns apart by tabs, or by blanks
- * where an editor made those of them; the rest of a line after # is a remark. Whole numbers may be hexadecimal. Lines that say something else are named, and the others
- * count. Used once, by one thread.
+ * where an editor made those of them; the rest of a line after # is a remark. Whole numbers may be hexadecimal. Lines
+ * that say something else are named, and the others count. Used once, by one thread.
  */
 final class ParameterFileReader {
     private static final int TABLE_COLUMNS = 5;
@@ -67,13 +68,16 @@ final class ParameterFileReader {
         }
         String[] pair = APART.split(line, -1);
         if (line.startsWith("@")) {
-            leaveOut(number, "\"" + shortened(line) + "\" is an instruction, which is not followed.");
+            leaveOut(
+                    number,
+                    Reason.INSTRUCTION,
+                    "\"" + shortened(line) + "\" is an instruction, which is not followed.");
         } else if (pair.length == 3 && pair[2].equals(READ_ONLY)) {
             value(pair[0], pair[1], number);
         } else if (pair.length == 2) {
             value(pair[0], pair[1], number);
         } else {
-            leaveOut(number, "\"" + shortened(line) + "\" is no name with a value.");
+            leaveOut(number, Reason.MALFORMED, "\"" + shortened(line) + "\" is no name with a value.");
         }
     }
 
@@ -82,6 +86,7 @@ final class ParameterFileReader {
         if (!system.equals(vehicle)) {
             leaveOut(
                     number,
+                    Reason.OTHER_VEHICLE,
                     shortened(name) + " is of vehicle " + shortened(system) + ", and the file begins with vehicle "
                             + shortened(vehicle) + ".");
         } else if (component.equals(AUTOPILOT)) {
@@ -89,6 +94,7 @@ final class ParameterFileReader {
         } else {
             leaveOut(
                     number,
+                    Reason.OTHER_COMPONENT,
                     shortened(name) + " is of component " + shortened(component)
                             + ", not of the autopilot (component 1).");
         }
@@ -101,14 +107,18 @@ final class ParameterFileReader {
             if (before != null && before.value() != value.value()) {
                 leaveOut(
                         number,
+                        Reason.REPEATED,
                         name + " comes again: " + written + " counts, and "
                                 + Parameter.text(ParameterType.REAL64, before.value()) + " before does not.");
             }
         } catch (NumberFormatException e) {
-            leaveOut(number, "The value of " + shortened(name) + ", \"" + shortened(written) + "\", is no number.");
+            leaveOut(
+                    number,
+                    Reason.MALFORMED,
+                    "The value of " + shortened(name) + ", \"" + shortened(written) + "\", is no number.");
         } catch (IllegalArgumentException e) {
             String why = String.valueOf(e.getMessage());
-            leaveOut(number, why.substring(0, 1).toUpperCase(Locale.ROOT) + why.substring(1) + ".");
+            leaveOut(number, Reason.MALFORMED, why.substring(0, 1).toUpperCase(Locale.ROOT) + why.substring(1) + ".");
         }
     }
 
@@ -122,8 +132,8 @@ final class ParameterFileReader {
         return Double.parseDouble(written);
     }
 
-    private void leaveOut(int line, String why) {
-        leftOut.add(new ParameterFileContent.LeftOut(line, why));
+    private void leaveOut(int line, Reason reason, String why) {
+        leftOut.add(new ParameterFileContent.LeftOut(line, reason, why));
     }
 
     private static String shortened(String text) {

@@ -1,8 +1,11 @@
 package org.dronemap.core.zone;
 
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePolygon;
@@ -18,6 +21,16 @@ public final class ShapeValidator {
     private static final double SAME_METERS = 0.01;
 
     private ShapeValidator() {}
+
+    /** Two edges by their numbers, the lower first. */
+    private record EdgePair(int one, int other) implements Comparable<EdgePair> {
+        @Override
+        public int compareTo(EdgePair than) {
+            return Comparator.comparingInt(EdgePair::one)
+                    .thenComparingInt(EdgePair::other)
+                    .compare(this, than);
+        }
+    }
 
     /** Empty when it can be used. */
     public static Optional<String> of(FenceArea shape) {
@@ -55,28 +68,50 @@ public final class ShapeValidator {
         return Optional.empty();
     }
 
+    /**
+     * The first two edges that touch. Edges are gone through from west to east, each compared with those alone that reach
+     * as far east: of an outline of 650 corners some ten.
+     */
     private static Optional<String> crossing(List<PlaneSegment> edges) {
-        for (int i = 0; i < edges.size(); i++) {
-            for (int j = i + 1; j < edges.size(); j++) {
-                if (touch(edges, i, j)) {
-                    return Optional.of("The edge of the area crosses or touches itself: the edge after corner "
-                            + (i + 1) + " and the edge after corner " + (j + 1) + ".");
+        List<Integer> fromWest = IntStream.range(0, edges.size())
+                .boxed()
+                .sorted(Comparator.comparingDouble(edge -> west(edges.get(edge))))
+                .toList();
+        List<Integer> reaching = new ArrayList<>();
+        Optional<EdgePair> first = Optional.empty();
+        for (int edge : fromWest) {
+            double west = west(edges.get(edge));
+            reaching.removeIf(other -> east(edges.get(other)) + SAME_METERS < west);
+            for (int other : reaching) {
+                EdgePair pair = new EdgePair(Math.min(edge, other), Math.max(edge, other));
+                if (first.filter(found -> found.compareTo(pair) <= 0).isEmpty() && touch(edges, pair)) {
+                    first = Optional.of(pair);
                 }
             }
+            reaching.add(edge);
         }
-        return Optional.empty();
+        return first.map(pair -> "The edge of the area crosses or touches itself: the edge after corner "
+                + (pair.one() + 1) + " and the edge after corner " + (pair.other() + 1) + ".");
     }
 
-    private static boolean touch(List<PlaneSegment> edges, int i, int j) {
-        PlaneSegment one = edges.get(i);
-        PlaneSegment other = edges.get(j);
+    private static double west(PlaneSegment edge) {
+        return Math.min(edge.from().eastMeters(), edge.to().eastMeters());
+    }
+
+    private static double east(PlaneSegment edge) {
+        return Math.max(edge.from().eastMeters(), edge.to().eastMeters());
+    }
+
+    private static boolean touch(List<PlaneSegment> edges, EdgePair pair) {
+        PlaneSegment one = edges.get(pair.one());
+        PlaneSegment other = edges.get(pair.other());
         if (isBeside(one, other)) {
             return false;
         }
-        if (j == i + 1) {
+        if (pair.other() == pair.one() + 1) {
             return foldsBack(one, other);
         }
-        if (i == 0 && j == edges.size() - 1) {
+        if (pair.one() == 0 && pair.other() == edges.size() - 1) {
             return foldsBack(other, one);
         }
         return one.distanceMeters(other) < SAME_METERS;

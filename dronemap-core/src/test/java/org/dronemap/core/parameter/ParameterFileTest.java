@@ -3,6 +3,7 @@ package org.dronemap.core.parameter;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import org.dronemap.core.parameter.ParameterFileContent.Reason;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -54,8 +55,8 @@ class ParameterFileTest {
 
         assertThat(read.values()).containsExactly(new ParameterValue("A", 2), new ParameterValue("B", 5));
         assertThat(read.leftOut())
-                .containsExactly(
-                        new ParameterFileContent.LeftOut(2, "A comes again: 2 counts, and 1 before does not."));
+                .containsExactly(new ParameterFileContent.LeftOut(
+                        2, Reason.REPEATED, "A comes again: 2 counts, and 1 before does not."));
     }
 
     @ParameterizedTest
@@ -87,6 +88,14 @@ class ParameterFileTest {
                 .allMatch(left -> left.line() == 3 && left.why().endsWith("."));
     }
 
+    @ParameterizedTest
+    @CsvSource({"RTL_ALT, MALFORMED", "RTL_ALT abc, MALFORMED", "@include other.parm, INSTRUCTION"})
+    void aProgramIsToldTheKindOfReason(String line, Reason reason) {
+        assertThat(ParameterFile.read("GOOD,1\n" + line).leftOut())
+                .extracting(ParameterFileContent.LeftOut::reason)
+                .containsExactly(reason);
+    }
+
     @Test
     void valuesOfOtherComponentsAreNotTheAutopilots() {
         ParameterFileContent read = ParameterFile.read("3\t1\tMNT_RATE\t20\t4\n3\t171\tMNT_RATE\t7\t4\n");
@@ -94,7 +103,9 @@ class ParameterFileTest {
         assertThat(read.values()).containsExactly(new ParameterValue("MNT_RATE", 20));
         assertThat(read.leftOut())
                 .containsExactly(new ParameterFileContent.LeftOut(
-                        2, "MNT_RATE is of component 171, not of the autopilot (component 1)."));
+                        2,
+                        Reason.OTHER_COMPONENT,
+                        "MNT_RATE is of component 171, not of the autopilot (component 1)."));
     }
 
     @Test

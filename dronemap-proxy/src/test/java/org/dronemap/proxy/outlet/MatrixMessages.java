@@ -28,6 +28,9 @@ final class MatrixMessages {
     private static final int LATITUDE = 473_977_500;
     private static final int LONGITUDE = 85_456_000;
     private static final double E7 = 1e7;
+    /** Passes without a throttle alone. */
+    private static final int CHANGE_SPEED = 178;
+
     private static final Map<Integer, List<Message>> SENSIBLE = sensible();
 
     private MatrixMessages() {}
@@ -49,6 +52,10 @@ final class MatrixMessages {
             words.add(new CommandLong(
                     1, 1, number, 0, value, value, 1, 1, (float) (LATITUDE / E7), (float) (LONGITUDE / E7), 30));
             words.add(new CommandInt(1, 1, 6, number, 0, 0, value, value, 1, 1, LATITUDE, LONGITUDE, 30));
+        }
+        if (number == CHANGE_SPEED) {
+            words.add(new CommandLong(1, 1, number, 0, 1, 5, -1, 0, 0, 0, 0));
+            words.add(new CommandInt(1, 1, 6, number, 0, 0, 0, 4, -1, 0, 0, 0, 0));
         }
         return words;
     }

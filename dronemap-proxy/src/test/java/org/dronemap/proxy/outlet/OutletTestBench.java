@@ -78,6 +78,12 @@ final class OutletTestBench implements AutoCloseable {
         cloud.cloud().controls().apply(drone, event);
     }
 
+    /** How the vehicle is from now on, as the cloud sees it. */
+    void is(MatrixVehicle.State state) {
+        vehicle.is(state);
+        await(() -> cloud.awaitDrone(now -> true).airborne() == state.flies(), "the cloud does not see it");
+    }
+
     /** All that came in at the vehicle. */
     List<Frame> reachedVehicle(int message) {
         return vehicle.heard().stream()
@@ -142,7 +148,7 @@ final class OutletTestBench implements AutoCloseable {
             await(() -> texts().contains(sentence), sentence + " is not said");
         }
 
-        private String texts() {
+        String texts() {
             return of(Statustext.ID).stream()
                     .map(frame -> Statustext.decode(frame).text())
                     .collect(Collectors.joining());

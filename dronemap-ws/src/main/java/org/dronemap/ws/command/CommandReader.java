@@ -54,7 +54,7 @@ final class CommandReader {
     }
 
     /** Without a place: where the vehicle is. */
-    static Command.SetHome home(CommandRequest.SetHome request) {
+    static Command.SetHome home(VehicleDataRequest.SetHome request) {
         boolean here = request.latitude() == null && request.longitude() == null && request.altitude() == null;
         return here
                 ? new Command.SetHome(null, null)

@@ -18,7 +18,6 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.parameter.ParameterSet;
-import org.dronemap.core.parameter.ParameterValue;
 import org.dronemap.ws.mission.MissionItemRequest;
 import org.dronemap.ws.mission.MissionReader;
 import org.dronemap.ws.reading.EnumValues;
@@ -50,17 +49,36 @@ import tools.jackson.databind.annotation.JsonTypeResolver;
     @JsonSubTypes.Type(value = CommandRequest.ChangeSpeed.class, name = "changeSpeed"),
     @JsonSubTypes.Type(value = CommandRequest.TakePicture.class, name = "takePicture"),
     @JsonSubTypes.Type(value = CommandRequest.SetRelay.class, name = "setRelay"),
-    @JsonSubTypes.Type(value = CommandRequest.SetHome.class, name = "setHome"),
-    @JsonSubTypes.Type(value = CommandRequest.ReadHome.class, name = "readHome"),
-    @JsonSubTypes.Type(value = CommandRequest.ReadParameters.class, name = "readParameters"),
-    @JsonSubTypes.Type(value = CommandRequest.SetParameters.class, name = "setParameters"),
-    @JsonSubTypes.Type(value = CommandRequest.ReadLogs.class, name = "readLogs"),
+    @JsonSubTypes.Type(value = VehicleDataRequest.SetHome.class, name = "setHome"),
+    @JsonSubTypes.Type(value = VehicleDataRequest.ReadHome.class, name = "readHome"),
+    @JsonSubTypes.Type(value = VehicleDataRequest.ReadParameters.class, name = "readParameters"),
+    @JsonSubTypes.Type(value = VehicleDataRequest.SetParameters.class, name = "setParameters"),
+    @JsonSubTypes.Type(value = VehicleDataRequest.ReadLogs.class, name = "readLogs"),
     @JsonSubTypes.Type(value = CommandRequest.GoToLocal.class, name = "goToLocal"),
     @JsonSubTypes.Type(value = CommandRequest.EmergencyStop.class, name = "emergencyStop"),
-    @JsonSubTypes.Type(value = CommandRequest.ReadMap.class, name = "readMap")
+    @JsonSubTypes.Type(value = VehicleDataRequest.ReadMap.class, name = "readMap")
 })
 @Schema(name = "CommandRequest", description = "A command; which members there are depends on the type.")
-public sealed interface CommandRequest {
+public sealed interface CommandRequest
+        permits CommandRequest.Arm,
+                CommandRequest.Disarm,
+                CommandRequest.SetMode,
+                CommandRequest.TakeOff,
+                CommandRequest.Land,
+                CommandRequest.ReturnToLaunch,
+                CommandRequest.Hold,
+                CommandRequest.GoTo,
+                CommandRequest.UploadMission,
+                CommandRequest.StartMission,
+                CommandRequest.PauseMission,
+                CommandRequest.ClearMission,
+                CommandRequest.Turn,
+                CommandRequest.ChangeSpeed,
+                CommandRequest.TakePicture,
+                CommandRequest.SetRelay,
+                CommandRequest.GoToLocal,
+                CommandRequest.EmergencyStop,
+                VehicleDataRequest {
     /** What it asks for, as it is called above. */
     default CommandKind kind() {
         return CommandReader.kind(this);
@@ -309,74 +327,6 @@ public sealed interface CommandRequest {
         }
     }
 
-    @Schema(name = "SetHomeCommand", description = "Move home; without a place to where the vehicle is.")
-    record SetHome(
-            @Schema(description = "Degrees") @Min(-FieldRanges.LATITUDE) @Max(FieldRanges.LATITUDE) @Nullable
-            Double latitude,
-
-            @Schema(description = "Degrees") @Min(-FieldRanges.LONGITUDE) @Max(FieldRanges.LONGITUDE) @Nullable
-            Double longitude,
-
-            @Schema(description = "Metres")
-            @Min(Altitude.LOWEST_PLANNED_METERS)
-            @Max(Altitude.HIGHEST_PLANNED_METERS)
-            @Nullable
-            Double altitude,
-
-            @Schema(description = "home as it is now (the default) or amsl")
-            @EnumValues(Altitude.Reference.class)
-            @Nullable
-            String altitudeReference,
-
-            @Nullable String id,
-            @Nullable Long epoch)
-            implements CommandRequest {
-        @Override
-        public Command command(DroneState drone, ParameterSet held) {
-            return CommandReader.home(this);
-        }
-    }
-
-    @Schema(name = "ReadHomeCommand", description = "Ask the vehicle where its home is.")
-    record ReadHome(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
-        @Override
-        public Command command(DroneState drone, ParameterSet held) {
-            return new org.dronemap.core.command.ReadHome();
-        }
-    }
-
-    @Schema(name = "ReadParametersCommand", description = "Read all parameters of the vehicle.")
-    record ReadParameters(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
-        @Override
-        public Command command(DroneState drone, ParameterSet held) {
-            return new Command.ReadParameters();
-        }
-    }
-
-    @Schema(name = "SetParametersCommand", description = "Change parameters of the vehicle.")
-    record SetParameters(
-            @Schema(requiredMode = REQUIRED, description = "What is to be changed")
-            @Size(min = 1, max = ParameterReader.MOST)
-            @Nullable
-            List<ParameterRequest> parameters,
-
-            @Nullable String id,
-            @Nullable Long epoch)
-            implements CommandRequest {
-        @Override
-        public Command command(DroneState drone, ParameterSet held) {
-            return new Command.SetParameters(ParameterReader.read(parameters, held));
-        }
-    }
-
-    @Schema(name = "ReadLogsCommand", description = "List the logs on the vehicle.")
-    record ReadLogs(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
-        @Override
-        public Command command(DroneState drone, ParameterSet held) {
-            return new org.dronemap.core.command.ReadLogs();
-        }
-    }
-
     @Schema(name = "GoToLocalCommand", description = "Go to a place on the vehicle's own map.")
     record GoToLocal(
             @Schema(requiredMode = REQUIRED, description = "Metres along the x axis of that map")
@@ -407,18 +357,4 @@ public sealed interface CommandRequest {
             return new org.dronemap.core.command.EmergencyStop();
         }
     }
-
-    @Schema(name = "ReadMapCommand", description = "Ask the vehicle for the map that it goes by.")
-    record ReadMap(@Nullable String id, @Nullable Long epoch) implements CommandRequest {
-        @Override
-        public Command command(DroneState drone, ParameterSet held) {
-            return new org.dronemap.core.command.ReadMap();
-        }
-    }
-
-    /** A parameter and the value that it shall get. */
-    @Schema(name = "CommandParameterRequest")
-    record ParameterRequest(
-            @Pattern(regexp = ParameterValue.NAME) @Nullable String name,
-            @Nullable Double value) {}
 }

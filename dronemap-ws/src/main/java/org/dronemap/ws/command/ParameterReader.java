@@ -21,7 +21,8 @@ public final class ParameterReader {
 
     private ParameterReader() {}
 
-    static List<ParameterValue> read(@Nullable List<CommandRequest.ParameterRequest> written, ParameterSet vehicle) {
+    static List<ParameterValue> read(
+            @Nullable List<VehicleDataRequest.ParameterRequest> written, ParameterSet vehicle) {
         if (written == null || written.isEmpty()) {
             throw InvalidInput.missing("parameters", COUNT);
         }
@@ -36,7 +37,7 @@ public final class ParameterReader {
         }
         List<ParameterValue> values = new ArrayList<>(written.size());
         for (int index = 0; index < written.size(); index++) {
-            CommandRequest.ParameterRequest one = written.get(index);
+            VehicleDataRequest.ParameterRequest one = written.get(index);
             String at = "parameters[" + index + "].";
             values.add(checked(at + "name", one.name(), at + "value", one.value(), vehicle));
         }

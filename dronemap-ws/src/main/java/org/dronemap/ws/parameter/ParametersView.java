@@ -9,6 +9,7 @@ import org.dronemap.core.parameter.ParameterComparison;
 import org.dronemap.core.parameter.ParameterFileContent;
 import org.dronemap.core.parameter.ParameterType;
 import org.dronemap.ws.command.CommandView;
+import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.reading.EnumValues;
 import org.jspecify.annotations.Nullable;
 
@@ -44,12 +45,22 @@ public record ParametersView(@Nullable Instant readAt, int total, List<Parameter
      * A line of a parameter file that is not taken as it stands.
      *
      * @param line from 1
+     * @param code as in problems
      * @param why a sentence
      */
     @Schema(name = "ParametersLeftOutView")
-    public record LeftOutLineView(int line, String why) {
+    public record LeftOutLineView(int line, String code, String why) {
         static LeftOutLineView of(ParameterFileContent.LeftOut line) {
-            return new LeftOutLineView(line.line(), line.why());
+            return new LeftOutLineView(line.line(), problem(line.reason()).word(), line.why());
+        }
+
+        private static ValueProblem problem(ParameterFileContent.Reason reason) {
+            return switch (reason) {
+                case OTHER_COMPONENT, OTHER_VEHICLE -> ValueProblem.VALUE_NOT_ALLOWED;
+                case INSTRUCTION -> ValueProblem.MEMBER_UNKNOWN;
+                case MALFORMED -> ValueProblem.VALUE_MALFORMED;
+                case REPEATED -> ValueProblem.VALUE_NOT_UNIQUE;
+            };
         }
     }
 

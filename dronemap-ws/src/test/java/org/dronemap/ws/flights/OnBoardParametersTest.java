@@ -18,6 +18,7 @@ import org.dronemap.mavlink.message.ParamSet;
 import org.dronemap.sim.flight.SimulatedParameters;
 import org.dronemap.ws.command.CommandRequest;
 import org.dronemap.ws.command.CommandView;
+import org.dronemap.ws.command.VehicleDataRequest;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.LabVehicleLink;
 import org.dronemap.ws.lab.Laboratory;
@@ -208,10 +209,10 @@ class OnBoardParametersTest {
     }
 
     private static CommandRequest fiftyEach(int from, int to) {
-        List<CommandRequest.ParameterRequest> values = IntStream.range(from, to)
-                .mapToObj(number -> new CommandRequest.ParameterRequest(String.format("SPARE_%04d", number), 50.0))
+        List<VehicleDataRequest.ParameterRequest> values = IntStream.range(from, to)
+                .mapToObj(number -> new VehicleDataRequest.ParameterRequest(String.format("SPARE_%04d", number), 50.0))
                 .toList();
-        return new CommandRequest.SetParameters(values, null, null);
+        return new VehicleDataRequest.SetParameters(values, null, null);
     }
 
     @ParameterizedTest

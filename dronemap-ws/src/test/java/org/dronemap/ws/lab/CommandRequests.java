@@ -2,6 +2,7 @@ package org.dronemap.ws.lab;
 
 import java.util.List;
 import org.dronemap.ws.command.CommandRequest;
+import org.dronemap.ws.command.VehicleDataRequest;
 import org.dronemap.ws.mission.MissionItemRequest;
 import org.jspecify.annotations.Nullable;
 
@@ -79,20 +80,20 @@ public final class CommandRequests {
 
     /** To where the vehicle is. */
     public static CommandRequest setHome() {
-        return new CommandRequest.SetHome(null, null, null, null, null, null);
+        return new VehicleDataRequest.SetHome(null, null, null, null, null, null);
     }
 
     /** The altitude is above sea level. */
     public static CommandRequest setHome(
             @Nullable Double latitude, @Nullable Double longitude, @Nullable Double altitudeAmsl) {
-        return new CommandRequest.SetHome(latitude, longitude, altitudeAmsl, "amsl", null, null);
+        return new VehicleDataRequest.SetHome(latitude, longitude, altitudeAmsl, "amsl", null, null);
     }
 
     public static CommandRequest readHome() {
-        return new CommandRequest.ReadHome(null, null);
+        return new VehicleDataRequest.ReadHome(null, null);
     }
 
     public static CommandRequest readParameters() {
-        return new CommandRequest.ReadParameters(null, null);
+        return new VehicleDataRequest.ReadParameters(null, null);
     }
 }

@@ -56,7 +56,6 @@ class DescribedReasonsTest {
             Map.entry("PlanUnservedView.why", OF_A_SEARCH),
             Map.entry("RunWaypointView.why", OF_A_SEARCH),
             Map.entry("VirtualDroneRunView.why", OF_A_SEARCH),
-            Map.entry("ParametersLeftOutView.why", "tells people of a line of their file; a program has its number"),
             Map.entry("PlanView.why", "the state tells that the search failed, for which there is one reason"),
             Map.entry("ReplayView.failure", "the state tells that it failed; what the system says of the file"),
             Map.entry("StreamError.problem", "has its code within"),

@@ -76,6 +76,10 @@ final class ClientCommandHandler {
             wish = new ClientIntent.Denied(
                     "This is for component " + command.targetComponent() + "; send it to the autopilot.");
         }
+        String remark = ClientCommandReader.remark(context);
+        if (remark != null && asked.client().mayOrder()) {
+            asked.explain(remark);
+        }
         boolean again =
                 frame.messageId() == CommandLong.ID && CommandLong.decode(frame).confirmation() > 0;
         grant(asked, number, wish, again, now);

@@ -9,7 +9,9 @@ import org.dronemap.core.command.RelaySetting;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
+import org.dronemap.core.drone.Position;
 import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.mavlink.message.CommandInt;
@@ -24,6 +26,10 @@ import org.jspecify.annotations.Nullable;
 final class ClientCommandReader {
     static final int SET_MODE = 176;
     static final int OPERATOR_CONTROL = 32_100;
+    private static final int LAND = 21;
+    /** Programs name the place where the vehicle was a moment ago. */
+    private static final double SAME_PLACE_METERS = 50;
+
     private static final int FORCE = 21_196;
     private static final int GLOBAL = 0;
     private static final int RELATIVE = 3;
@@ -71,6 +77,21 @@ final class ClientCommandReader {
         }
     }
 
+    /** What a client is told beside the answer, since the vehicle does not do all of what was asked; null: nothing. */
+    static @Nullable String remark(Context asked) {
+        CommandInt command = asked.command();
+        Position position = asked.state().position();
+        Geodetic here = position == null ? null : position.point();
+        boolean place = command.command() == LAND
+                && command.x() != 0
+                && command.y() != 0
+                && Math.abs((long) command.x()) <= 90 * E7
+                && Math.abs((long) command.y()) <= 180 * E7;
+        return place && here != null && Geodesy.distanceMeters(here, point(command)) > SAME_PLACE_METERS
+                ? "It lands where it is, not at the place that is named; to land there, fly a mission that ends so."
+                : null;
+    }
+
     /** Number and name of each command that passes, with what it becomes, as the guide lists them. */
     static Map<Integer, String> table() {
         Map<Integer, String> table = new TreeMap<>();
@@ -83,7 +104,7 @@ final class ClientCommandReader {
         words.put(17, new Entry("NAV_LOITER_UNLIM", "hold", asked -> order(new Command.Hold())));
         words.put(
                 20, new Entry("NAV_RETURN_TO_LAUNCH", "returnToLaunch", asked -> order(new Command.ReturnToLaunch())));
-        words.put(21, new Entry("NAV_LAND", "land", asked -> order(new Command.Land())));
+        words.put(LAND, new Entry("NAV_LAND", "land", asked -> order(new Command.Land())));
         words.put(22, new Entry("NAV_TAKEOFF", "takeOff", ClientCommandReader::takeOff));
         words.put(115, new Entry("CONDITION_YAW", "turn", ClientCommandReader::turn));
         words.put(SET_MODE, new Entry("DO_SET_MODE", "setMode", ClientCommandReader::mode));
