@@ -2,6 +2,7 @@ package org.dronemap.proxy.mavlink.translate;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -41,8 +42,11 @@ final class OwnFenceExchanges {
                 () -> {
                     OwnFenceReader reader = new OwnFenceReader(cockpit);
                     List<ExchangeSequence.Step> steps = new ArrayList<>(reader.steps());
-                    steps.add(ExchangeSequence.Step.of(() -> new ImmediateExchange(
-                            () -> explained((Outcome.Refused) goTo.outcome(), cockpit, command, reader.fence()))));
+                    steps.add(ExchangeSequence.Step.of(() -> new ImmediateExchange(() -> explained(
+                            (Outcome.Refused) Objects.requireNonNull(goTo.outcome()),
+                            cockpit,
+                            command,
+                            reader.fence()))));
                     return new ExchangeSequence(steps);
                 });
     }
