@@ -29,7 +29,7 @@ class Simulator:
         """`as_shipped`: for tests that measure it."""
         assert SIMULATOR_JAR.exists(), f"{SIMULATOR_JAR} is missing: build first (./dronemap test does)"
         self._control = free_port()
-        if not {"px4", "mixed"} & set(arguments):
+        if not {"px4", "mixed", "arduplane"} & set(arguments):
             # Time runs faster for them than for the server: a copter that is armed on the ground must not be
             # disarmed again within what is a second on a slow machine (0: never), and the server, whose
             # heartbeat comes once in a second of ours, must not be lost for it.
