@@ -30,6 +30,8 @@ class ParameterCaseFilesTest {
         assertThat(content.values()).containsExactly(new ParameterValue("RTL_ALT", 2000));
         assertThat(content.leftOut())
                 .containsExactly(new ParameterFileContent.LeftOut(
-                        4, "RTL_ALT is of component 154, not of the autopilot (component 1)."));
+                        4,
+                        ParameterFileContent.Reason.OTHER_COMPONENT,
+                        "RTL_ALT is of component 154, not of the autopilot (component 1)."));
     }
 }

@@ -115,7 +115,7 @@ class ParameterFileTest {
         assertThat(read.values()).containsExactly(new ParameterValue("MNT_RATE", 20), new ParameterValue("A_B", 16));
         assertThat(read.leftOut())
                 .containsExactly(new ParameterFileContent.LeftOut(
-                        2, "RTL_ALT is of vehicle 4, and the file begins with vehicle 3."));
+                        2, Reason.OTHER_VEHICLE, "RTL_ALT is of vehicle 4, and the file begins with vehicle 3."));
     }
 
     @Test

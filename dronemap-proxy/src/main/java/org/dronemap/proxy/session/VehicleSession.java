@@ -348,18 +348,10 @@ final class VehicleSession implements VehicleChannel, Lane.TimedTask {
     /** Nothing more will come: a recording is taken away, and its drone with it, or another session speaks. Any thread. */
     void vanish(boolean asPart) {
         vanished = true;
-        DroneLink bound = link;
-        if (bound != null && asPart) {
-            bound.becamePart();
-        } else if (bound != null) {
-            bound.disconnect();
-        }
+        Optional.ofNullable(link).ifPresent(asPart ? DroneLink::becamePart : DroneLink::disconnect);
     }
 
-    /**
-     * Another component of the vehicle is its autopilot, and that session will speak for the drone. {@code asPart}: this one
-     * was a component of the same vehicle. Any thread.
-     */
+    /** That session of the autopilot will speak for the drone; {@code asPart}: this one was a part of it. Any thread. */
     void replacedBy(@Nullable VehicleSession autopilot, boolean asPart) {
         takeover.begin(autopilot);
         vanish(asPart);

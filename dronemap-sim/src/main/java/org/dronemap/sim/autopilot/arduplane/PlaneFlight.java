@@ -83,10 +83,6 @@ final class PlaneFlight implements ArduPilotFlight {
     @Override
     public MotionSetpoint fly(long nowMillis) {
         estimate.check(craft, lift != null && lift.lifting(), nowMillis);
-        if (mode == PlaneMode.AUTO && mission.isEmpty()) {
-            sendText(TextSeverity.INFO, "Aircraft in auto without a running mission");
-            next = PlaneMode.RTL;
-        }
         restartLanding();
         MotionSetpoint setpoint = manoeuvre.fly(craft, nowMillis);
         if (mode == PlaneMode.RTL && craft.armed() && manoeuvre instanceof Circle circle) {
