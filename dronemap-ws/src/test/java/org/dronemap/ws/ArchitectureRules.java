@@ -267,6 +267,9 @@ final class ArchitectureRules {
     static final ArchRule ONLY_THE_GATE_COMMANDS = noClasses()
             .that()
             .haveNameNotMatching(".*\\.core\\.cloud\\.CommandDispatcher")
+            .and()
+            // Hands on to the autopilot's session what the gate has given to that of another component.
+            .haveNameNotMatching(".*\\.proxy\\.session\\.AutopilotTakeover")
             .should()
             .callMethodWhere(new DescribedPredicate<JavaCall<?>>("it is a vehicle channel's perform") {
                 @Override

@@ -17,6 +17,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.dronemap.core.stored.Stored;
@@ -272,15 +273,18 @@ class ArchitectureTest {
                 .hasSize(1);
     }
 
-    /** A form may be a choice itself: those of it count, unless another member tells them apart. */
+    /** A form may be a choice itself, or stand for some of them: those count, unless another member tells them apart. */
     private static Stream<Class<?>> forms(Class<?> choice) {
         return Stream.of(choice.getPermittedSubclasses())
-                .flatMap(
-                        form -> form.isSealed() && member(form).equals(member(choice)) ? forms(form) : Stream.of(form));
+                .flatMap(form -> form.isSealed() && member(form, choice).equals(member(choice, choice))
+                        ? forms(form)
+                        : Stream.of(form));
     }
 
-    private static String member(Class<?> choice) {
-        return choice.getAnnotation(JsonTypeInfo.class).property();
+    private static String member(Class<?> form, Class<?> choice) {
+        return Optional.ofNullable(form.getAnnotation(JsonTypeInfo.class))
+                .orElseGet(() -> choice.getAnnotation(JsonTypeInfo.class))
+                .property();
     }
 
     /** A form without a name could not be sent, and the usual reader takes arrays for some objects. */

@@ -36,8 +36,10 @@ final class Placeholders {
     /** Of records that say when things happened. */
     private static final Pattern HASH = Pattern.compile("(?<=\"hash\" : \")[0-9a-f]{64}");
 
-    /** How far a drone of a run is when it is looked at. */
+    /** How far a drone of a run is when it is looked at, and what becomes of it when the run is stopped then. */
     private static final Pattern STAGE = Pattern.compile("(?<=\"stage\" : \")[a-zA-Z]+");
+
+    private static final Pattern STOPPED = Pattern.compile("(?<=[0-9]) (?:stays where it is|comes home)\\.");
 
     /** What these vehicles, which say each thing once, have not said again; on a slow machine that is more. */
     private static final Pattern OUTDATED =
@@ -138,6 +140,7 @@ final class Placeholders {
     private static String timeless(String text) {
         String rest = HASH.matcher(TIME.matcher(text).replaceAll("<time>")).replaceAll("<hash>");
         rest = STAGE.matcher(rest).replaceAll("<stage>");
+        rest = STOPPED.matcher(rest).replaceAll(" <what it does by its stage>.");
         return MEASURED.matcher(rest).replaceAll("$1<number>");
     }
 
