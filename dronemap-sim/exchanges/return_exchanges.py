@@ -21,7 +21,7 @@ from plane_flying import (
     upload_plane,
     waypoint,
 )
-from rover_exchanges import ready_to_drive, stopped
+from rover_driving import ready_to_drive, stopped
 from vehicle_link import VehicleLink
 
 LOITER_TURNS = int(mavlink.MAV_CMD_NAV_LOITER_TURNS)

@@ -4,50 +4,14 @@ from __future__ import annotations
 
 from pymavlink.dialects.v20 import ardupilotmega as mavlink
 
+import rover_missions as missions
 from exchange import Exchange
 from flying import ACCEPTED, GLOBAL_RELATIVE, arm, go_to, north_of_here, ready, start
-from missions import Item, clear, download, upload
+from missions import upload
+from rover_driving import drive, ready_to_drive, stopped
 from vehicle_link import VehicleLink
 
-WAYPOINT = int(mavlink.MAV_CMD_NAV_WAYPOINT)
-DEGREES_E7_PER_METER_NORTH = 1e7 / 111_319.5
 MODES = ("MANUAL", "ACRO", "STEERING", "HOLD", "LOITER", "GUIDED", "RTL", "SMART_RTL")
-
-
-def ready_to_drive(link: VehicleLink, mode: str = "GUIDED") -> None:
-    """Ready, the exchange begins, the mode is chosen, armed."""
-    ready(link)
-    start(link)
-    link.set_mode_and_acknowledge(mode)
-    link.wait_until(mode, lambda: link.mode == mode, 5)
-    arm(link)
-    link.pump_for(2)
-
-
-def stopped(link: VehicleLink, seconds: float = 60) -> None:
-    """Wait until it has set off and stands again."""
-    link.wait_until("set off", lambda: speed(link) > 0.5, 10)
-    link.wait_until("stopped", lambda: speed(link) < 0.1, seconds)
-    link.pump_for(3)
-
-
-def speed(link: VehicleLink) -> float:
-    """Metres a second over ground."""
-    return float(link.last["VFR_HUD"].groundspeed)
-
-
-def drive(home: tuple[int, int]) -> list[Item]:
-    """Five items: home, then three waypoints 25 m apart, at the second of which it waits for 3 s, and one at home."""
-    latitude, longitude = home
-    north = round(25 * DEGREES_E7_PER_METER_NORTH)
-    east = round(north * 1.226)  # at the recording's latitude of 35.4 degrees
-    return [
-        Item(WAYPOINT, latitude, longitude, 0),
-        Item(WAYPOINT, latitude + north, longitude, 0),
-        Item(WAYPOINT, latitude + north, longitude + east, 0, param1=3),
-        Item(WAYPOINT, latitude, longitude + east, 0),
-        Item(WAYPOINT, latitude, longitude, 0),
-    ]
 
 
 def arming_refused(link: VehicleLink) -> None:
@@ -151,128 +115,6 @@ def commands_refused(link: VehicleLink) -> None:
     link.wait_for_acknowledgement(mavlink.MAV_CMD_DO_REPOSITION)
     link.send_and_acknowledge(mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 0)
     link.pump_for(1.5)
-
-
-def mission_upload(link: VehicleLink) -> None:
-    """Items of aircraft, items that it does not know, hold seconds with a fraction, read back, cleared."""
-    ready(link)
-    start(link)
-    items = drive(link.position)
-    latitude, longitude = link.position
-    aircraft = (
-        Item(mavlink.MAV_CMD_NAV_TAKEOFF, 0, 0, 10),
-        Item(mavlink.MAV_CMD_NAV_LAND, latitude, longitude, 0),
-        Item(mavlink.MAV_CMD_NAV_LOITER_TIME, latitude, longitude, 0, param1=2),
-        Item(mavlink.MAV_CMD_NAV_DELAY, 0, 0, 0, param1=2),
-        Item(mavlink.MAV_CMD_DO_CHANGE_SPEED, 0, 0, 0, param1=1, param2=2),
-        Item(mavlink.MAV_CMD_CONDITION_YAW, 0, 0, 0, param1=90),
-        Item(mavlink.MAV_CMD_NAV_RETURN_TO_LAUNCH, 0, 0, 0),
-    )
-    upload(link, [*items[:2], *aircraft])
-    download(link)
-    upload(link, [*items[:2], Item(WAYPOINT, latitude, longitude, 0, param1=2.5)])
-    download(link)
-    for unknown in (mavlink.MAV_CMD_NAV_LOITER_TO_ALT, mavlink.MAV_CMD_NAV_SPLINE_WAYPOINT, 31000):
-        upload(link, [*items[:2], Item(unknown, latitude, longitude, 0), *items[3:]])
-        link.pump_for(0.5)
-    download(link)
-    clear(link)
-    download(link)
-
-
-def mission_drive(link: VehicleLink) -> None:
-    """AUTO by MISSION_START from HOLD: waypoints, a wait of 3 s, complete; then MISSION_START and AUTO once more."""
-    ready(link)
-    start(link)
-    link.pump_for(1)
-    upload(link, drive(link.position))
-    link.set_mode_and_acknowledge("HOLD")
-    link.pump_for(1)
-    arm(link)
-    link.pump_for(2)
-    link.send_and_acknowledge(mavlink.MAV_CMD_MISSION_START)
-    complete(link)
-    link.pump_for(5)
-    link.send_and_acknowledge(mavlink.MAV_CMD_MISSION_START)
-    link.pump_for(3)
-    link.set_mode_and_acknowledge("HOLD")
-    link.pump_for(2)
-    link.send_and_acknowledge(mavlink.MAV_CMD_MISSION_START)
-    link.pump_for(8)
-    link.set_mode_and_acknowledge("HOLD")
-    link.pump_for(3)
-    link.send_and_acknowledge(mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 0)
-    link.pump_for(2)
-
-
-def complete(link: VehicleLink, seconds: float = 120) -> None:
-    """Wait for the sentence that ends a mission."""
-    link.expect(
-        "Mission Complete", lambda m: m.get_type() == "STATUSTEXT" and m.text.startswith("Mission Complete"), seconds
-    )
-
-
-def mission_of_aircraft(link: VehicleLink) -> None:
-    """A take-off, a change of speed, a waypoint, a landing, a delay, a turn and a return, driven."""
-    ready(link)
-    start(link)
-    link.pump_for(1)
-    items = drive(link.position)
-    latitude, longitude = link.position
-    upload(
-        link,
-        [
-            items[0],
-            Item(mavlink.MAV_CMD_NAV_TAKEOFF, 0, 0, 10),
-            Item(mavlink.MAV_CMD_DO_CHANGE_SPEED, 0, 0, 0, param1=1, param2=3),
-            items[1],
-            Item(mavlink.MAV_CMD_NAV_LAND, latitude, longitude, 0),
-            Item(mavlink.MAV_CMD_NAV_DELAY, 0, 0, 0, param1=2),
-            Item(mavlink.MAV_CMD_NAV_LOITER_TIME, items[1].latitude, items[1].longitude, 0, param1=2),
-            Item(mavlink.MAV_CMD_CONDITION_YAW, 0, 0, 0, param1=90),
-            Item(mavlink.MAV_CMD_NAV_RETURN_TO_LAUNCH, 0, 0, 0),
-        ],
-    )
-    link.set_mode_and_acknowledge("GUIDED")
-    arm(link)
-    link.pump_for(1)
-    link.set_mode_and_acknowledge("AUTO")
-    complete(link)
-    link.pump_for(5)
-    link.send_and_acknowledge(mavlink.MAV_CMD_COMPONENT_ARM_DISARM, 0)
-    link.pump_for(2)
-
-
-def mission_paused(link: VehicleLink) -> None:
-    """HOLD and AUTO again, the pause that it does not know, another item, clearing while it drives."""
-    ready(link)
-    start(link)
-    link.pump_for(1)
-    upload(link, drive(link.position))
-    link.set_mode_and_acknowledge("HOLD")
-    arm(link)
-    link.pump_for(1)
-    link.set_mode_and_acknowledge("AUTO")
-    link.wait_until("item 2", lambda: link.last["MISSION_CURRENT"].seq == 2, 30)
-    link.pump_for(2)
-    link.set_mode_and_acknowledge("HOLD")
-    link.pump_for(6)
-    link.set_mode_and_acknowledge("AUTO")
-    link.pump_for(2)
-    link.send_and_acknowledge(mavlink.MAV_CMD_DO_PAUSE_CONTINUE, 0)
-    link.pump_for(1)
-    link.send(mavlink.MAVLink_mission_set_current_message(link.system_id, 1, 4))
-    link.pump_for(3)
-    clear(link)
-    link.pump_for(2)
-    link.set_mode_and_acknowledge("HOLD")
-    link.pump_for(3)
-    link.send_and_acknowledge(mavlink.MAV_CMD_DO_SET_MISSION_CURRENT, 2)
-    link.pump_for(2)
-    link.set_mode_and_acknowledge("AUTO")
-    link.pump_for(4)
-    link.set_mode_and_acknowledge("HOLD")
-    link.pump_for(3)
 
 
 def go_to_by_setpoint(link: VehicleLink) -> None:
@@ -411,10 +253,14 @@ ROVER_EXCHANGES: tuple[Exchange, ...] = (
         {"SIM_GPS_DISABLE": 1, "ARMING_CHECK": 0},
     ),
     Exchange("rover_commands_refused", "take-off, landing and others; what it takes", commands_refused),
-    Exchange("rover_mission_upload", "items of aircraft, unknown items, hold seconds, read back", mission_upload),
-    Exchange("rover_mission_drive", "a mission to its end, started twice", mission_drive),
-    Exchange("rover_mission_of_aircraft", "a mission with take-off, landing, delay and return", mission_of_aircraft),
-    Exchange("rover_mission_paused", "HOLD and AUTO, another item, clearing while it drives", mission_paused),
+    Exchange(
+        "rover_mission_upload", "items of aircraft, unknown items, hold seconds, read back", missions.mission_upload
+    ),
+    Exchange("rover_mission_drive", "a mission to its end, started twice", missions.mission_drive),
+    Exchange(
+        "rover_mission_of_aircraft", "a mission with take-off, landing, delay and return", missions.mission_of_aircraft
+    ),
+    Exchange("rover_mission_paused", "HOLD and AUTO, another item, clearing while it drives", missions.mission_paused),
     Exchange("rover_go_to_by_setpoint", "SET_POSITION_TARGET_GLOBAL_INT, 60 m", go_to_by_setpoint),
     Exchange(
         "rover_go_to_by_reposition", "COMMAND_INT DO_REPOSITION, speeds, disarmed on the way", go_to_by_reposition
