@@ -1,5 +1,4 @@
 import type { CommandKind, Drone, Outcome } from '../api/types';
-import { fliesOnWings } from '../plan/wing-mission';
 import type { Attempt } from '../state/commands.svelte';
 
 /** The reason for which a control cannot be used now, or null: the page's own reason first, then that of the cloud. */
@@ -9,21 +8,9 @@ export function whyNot(drone: Drone, type: CommandKind, own: string | null): str
   }
   const action = drone.actions[type];
   if (action === undefined) {
-    return wordsOfWings(drone, type) ?? 'This vehicle cannot do that.';
+    return 'This vehicle cannot do that.';
   }
   return action.allowed ? null : (action.why ?? 'Not possible now.');
-}
-
-/** What missions do for a plane. */
-function wordsOfWings(drone: Drone, type: CommandKind): string | null {
-  if (!fliesOnWings(drone)) {
-    return null;
-  }
-  return type === 'land'
-    ? 'It lands by a mission.'
-    : type === 'takeOff'
-      ? 'It takes off by a mission.'
-      : null;
 }
 
 /** The reason for which its motors cannot be stopped, or null. Robots stop instead. */

@@ -29,7 +29,15 @@ function aPlane(change: Partial<Drone> = {}): Drone {
     kind: 'fixedWing',
     vehicle: 'ArduPlane',
     mode: 'FBWA',
-    actions: { arm: READY, setMode: READY, uploadMission: READY, startMission: READY, changeSpeed: READY },
+    actions: {
+      arm: READY,
+      setMode: READY,
+      uploadMission: READY,
+      startMission: READY,
+      changeSpeed: READY,
+      takeOff: { ...anAction('It takes off by a mission.'), code: 'capability-missing' },
+      land: { ...anAction('It lands by a mission.'), code: 'capability-missing' },
+    },
     ...change,
   });
 }

@@ -8,7 +8,13 @@ import { beginsWithTakeOff, takeOffHeight, waypointNumber } from './numbering';
 
 const A = { latitude: 47.1, longitude: 8.1 };
 const B = { latitude: 47.2, longitude: 8.2 };
-const rover = aDrone({ kind: 'rover', actions: {} });
+const CANNOT = {
+  allowed: false,
+  why: 'This vehicle cannot take off.',
+  code: 'capability-missing',
+  mode: null,
+};
+const rover = aDrone({ kind: 'rover', actions: { takeOff: CANNOT } });
 
 function plan(altitude: number | null = 30): Draft {
   return addWaypoint(addWaypoint(emptyDraft(), A, altitude), B, altitude);

@@ -1,4 +1,5 @@
 import type { Drone, MissionItem } from '../api/types';
+import { cannot } from '../fleet/ability';
 import { itemsOf, TAKE_OFF_RANGE, type Draft } from './draft';
 
 /**
@@ -11,7 +12,7 @@ export function itemNumber(index: number): number {
 
 /** Whether the mission on the vehicle will begin with a take-off: its own, or the one that the cloud puts in front. */
 export function beginsWithTakeOff(draft: Draft, drone: Drone | null): boolean {
-  return draft.takeOff || drone?.actions.takeOff !== undefined;
+  return draft.takeOff || (drone !== null && !cannot(drone, 'takeOff'));
 }
 
 /** The number that a waypoint of a plan will have on the vehicle. */

@@ -1,4 +1,5 @@
 import type { Drone } from '../api/types';
+import { cannot } from '../fleet/ability';
 import { placeOf } from '../fleet/place';
 import type { Coordinates } from '../geo/coordinates';
 import { placeAt } from '../geo/distance';
@@ -13,7 +14,7 @@ const APPROACH_METERS = 300;
 
 /** Whether it flies on wings alone: it takes off and lands by missions, and only at a place. */
 export function fliesOnWings(drone: Drone): boolean {
-  return drone.kind === 'fixedWing' && drone.actions.uploadMission !== undefined;
+  return drone.kind === 'fixedWing' && !cannot(drone, 'uploadMission');
 }
 
 /**
