@@ -63,7 +63,7 @@ DIFFERENCE: Members = {
     "different": [{"name": "RTL_ALT", "type": "int32", "held": 1500.0, "wanted": 1800.0}],
     "same": 3,
     "unfit": [],
-    "leftOut": [{"line": 7, "why": "MNT_RATE is of component 154."}],
+    "leftOut": [{"line": 7, "code": "value-not-allowed", "why": "MNT_RATE is of component 154."}],
     "unknown": ["NEW"],
 }
 LOGS: Members = {"logs": [{"number": 1, "at": NOW, "sizeBytes": 3, "here": True}]}

@@ -183,6 +183,17 @@ describe('a plane', () => {
   });
 });
 
+describe('a rover', () => {
+  it('is planned nothing to take off from, and nothing to land on', () => {
+    const station = aStation();
+    station.planner.begin('d1');
+    render(MissionSection, { props: { drone: aDrone({ kind: 'rover' }) }, context: context(station) });
+    expect(screen.queryByLabelText('Take-off height')).toBeNull();
+    const ends = [...screen.getByLabelText('At the end').querySelectorAll('option')];
+    expect(ends.map(({ value }) => value)).toEqual(['hold', 'returnToLaunch']);
+  });
+});
+
 describe('a copter that does not know where it is', () => {
   it('is offered what it can do without that', async () => {
     const station = aStation();
