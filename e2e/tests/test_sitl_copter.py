@@ -14,6 +14,7 @@ pytestmark = [
 FLYING_METRES = 12.0
 NEAR = place(30, 0, FLYING_METRES)
 FAR = place(60, 30, FLYING_METRES)
+CIRCLE = 2  # FENCE_TYPE
 
 
 @pytest.fixture(scope="module")
@@ -159,6 +160,27 @@ def test_land_by_command(flying: SitlDrone) -> None:
     flying.do(type="land")
     flying.is_down()
     flying.proved("Land")
+
+
+def test_its_own_fence_is_named_where_it_forbids_a_place(flying: SitlDrone) -> None:
+    flying.keep("parameters/FENCE_TYPE", {"value": CIRCLE})
+    flying.keep("parameters/FENCE_RADIUS", {"value": 60})
+    flying.keep("parameters/FENCE_ENABLE", {"value": 1})
+    sentence = flying.refused(**go_to(place(150, 0, FLYING_METRES)))
+    flying.keep("parameters/FENCE_ENABLE", {"value": 0})
+    assert "FENCE_RADIUS 60 m" in sentence, sentence
+    assert flying.away(place(0, 0)) < 5
+
+
+def test_without_a_position_it_says_what_is_left(flying: SitlDrone) -> None:
+    flying.keep("parameters/SIM_GPS_DISABLE", {"value": 1})
+    flying.until("its fail-safe lands it", lambda d: d["mode"] == "LAND", 60)
+    sentence = flying.refused(type="hold")
+    assert "it can land" in sentence and "ALT_HOLD" in sentence, sentence
+    flying.do(type="setMode", mode="ALT_HOLD")
+    flying.do(type="land")
+    flying.is_down()
+    flying.keep("parameters/SIM_GPS_DISABLE", {"value": 0})
 
 
 def test_what_is_kept_on_board(copter: SitlDrone) -> None:
