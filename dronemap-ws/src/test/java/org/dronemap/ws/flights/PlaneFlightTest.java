@@ -9,6 +9,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.LandingPlace;
 import org.dronemap.core.mission.MissionItem;
+import org.dronemap.ws.command.CommandView;
 import org.dronemap.ws.control.ControlRequest;
 import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.LabDrone;
@@ -124,6 +125,18 @@ class PlaneFlightTest {
                 () -> Boolean.FALSE.equals(plane.state().armed()));
         ann.does(plane, CommandRequests.clearMission());
         assertThat(plane.state().mission().items()).isEmpty();
+        fliesAgain();
+    }
+
+    /** It is not armed where its mission has landed it. */
+    private void fliesAgain() {
+        ann.does(plane, CommandRequests.setMode("GUIDED"));
+        assertThat(ann.outcome(plane, CommandRequests.arm()).outcome())
+                .extracting(CommandView.OutcomeView::reason)
+                .asString()
+                .contains("change its mode to MANUAL first");
+        ann.does(plane, CommandRequests.setMode("MANUAL")).does(plane, CommandRequests.arm());
+        assertThat(plane.craft().armed()).isTrue();
     }
 
     @Test

@@ -79,4 +79,28 @@ class QuadPlaneFlightTest {
         isDownAtHome();
         assertThat(quadplane.track().nearestOverGround(north, 0)).isLessThan(120);
     }
+
+    @Test
+    void aMissionThatReturnsCirclesAtHomeAndComesDownWhenItIsTold() {
+        ann.uploads(
+                        quadplane,
+                        List.of(
+                                new MissionItem.TakeOff(METERS),
+                                new MissionItem.Waypoint(north, Altitude.aboveHome(METERS), 0),
+                                new MissionItem.ReturnToLaunch()))
+                .does(quadplane, CommandRequests.setMode("GUIDED"))
+                .startsMission(quadplane);
+        lab.until("it climbs", WAY, () -> quadplane.height() > METERS / 2);
+        ann.does(quadplane, CommandRequests.pauseMission());
+        lab.until("it stays", WAY, () -> "QLOITER".equals(quadplane.state().mode()));
+        ann.does(quadplane, CommandRequests.startMission(null));
+        lab.until(
+                "its mission sends it home",
+                FLIGHT,
+                () -> "RTL".equals(quadplane.state().mode()));
+        assertThat(quadplane.track().nearestOverGround(north, 0)).isLessThan(120);
+        assertThat(quadplane.craft().armed()).isTrue();
+        ann.does(quadplane, CommandRequests.returnToLaunch());
+        isDownAtHome();
+    }
 }
