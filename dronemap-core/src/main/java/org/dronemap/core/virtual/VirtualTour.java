@@ -80,7 +80,7 @@ public record VirtualTour(@Nullable Double takeOffMeters, List<MissionItem.Waypo
      * cannot be said, because an altitude is above the sea and its home is not known.
      */
     Optional<TakeOff> takeOff(DroneState drone, int first) {
-        if (!takesOff(drone)) {
+        if (!beginsWithTakeOff(drone)) {
             return Optional.of(TakeOff.NONE);
         }
         if (takeOffMeters != null) {
@@ -98,7 +98,7 @@ public record VirtualTour(@Nullable Double takeOffMeters, List<MissionItem.Waypo
     }
 
     /** A plane takes off by its mission alone. */
-    private static boolean takesOff(DroneState drone) {
+    private static boolean beginsWithTakeOff(DroneState drone) {
         return drone.capabilities().commands().contains(Capability.TAKE_OFF)
                 || (drone.identification().kind() == VehicleKind.FIXED_WING
                         && drone.capabilities().missions().supports(MissionItem.Kind.TAKE_OFF));

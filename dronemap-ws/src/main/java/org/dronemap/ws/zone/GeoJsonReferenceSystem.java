@@ -19,7 +19,8 @@ final class GeoJsonReferenceSystem {
 
     /** Throws {@link InvalidInput} for a file in another one; nothing (null) is the usual one. */
     static void check(JsonNode crs) {
-        if (crs.isNull()) {
+        // What names no system says nothing about one.
+        if (crs.isNull() || (crs.isObject() && !crs.has("properties"))) {
             return;
         }
         JsonNode name = crs.path("properties").path("name");
