@@ -288,7 +288,7 @@ class AuditPolicyTest {
         List<AuditRecord> all = house.records();
         return all.subList(before, all.size()).stream()
                 .map(AuditRecord::entry)
-                .filter(entry -> entry.ends() == null && !isOfAnotherTest(entry))
+                .filter(entry -> entry.ends() == null && !isOfAnotherTest(entry) && !isExpiry(entry))
                 .toList();
     }
 
@@ -297,6 +297,11 @@ class AuditPolicyTest {
         return entry.drone() != null
                 && !entry.drone().equals(vehicle.id())
                 && DECIDED_BY_THE_SERVER.contains(entry.face());
+    }
+
+    /** Control that an earlier test took ends by itself, on a slow machine during a later one. */
+    private static boolean isExpiry(AuditEntry entry) {
+        return entry.operation().equals("controlExpired");
     }
 
     private String commands() {
