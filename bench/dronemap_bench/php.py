@@ -58,8 +58,10 @@ class Proxy:
             "POST", "/session.php", json.dumps({"key": key}), {"Content-Type": "application/json"}
         )
         answer = connection.getresponse()
+        session = json.loads(answer.read())
+        assert answer.status == 200, session
         self._headers = {
-            "X-Dronemap-Token": json.loads(answer.read())["token"],
+            "X-Dronemap-Token": session["token"],
             "Cookie": str(answer.getheader("Set-Cookie")).partition(";")[0],
         }
 
