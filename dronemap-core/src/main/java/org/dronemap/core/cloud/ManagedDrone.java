@@ -168,11 +168,9 @@ final class ManagedDrone implements Lane.TimedTask {
         listener.droneChanged(drone.state());
     }
 
-    /** True once after another component of the vehicle came to speak for it: its first mode is no change of mode. */
+    /** The mode that is just told is the first of another component of the vehicle: no change of mode. */
     boolean isFirstModeOfOtherComponent() {
-        boolean first = modeOfOtherComponent;
-        modeOfOtherComponent = false;
-        return first;
+        return modeOfOtherComponent;
     }
 
     void proved(IdentityProof proof) {
@@ -260,9 +258,9 @@ final class ManagedDrone implements Lane.TimedTask {
     }
 
     void accept(DroneEvent event) {
-        if (componentChanged && event instanceof DroneEvent.ModeReported) {
+        if (event instanceof DroneEvent.ModeReported) {
+            modeOfOtherComponent = componentChanged;
             componentChanged = false;
-            modeOfOtherComponent = true;
         }
         received();
         String mode = drone.state().mode();
@@ -271,6 +269,7 @@ final class ManagedDrone implements Lane.TimedTask {
             // Who has chosen that mode is seen before anybody acts on it.
             modeChanged.run();
         }
+        modeOfOtherComponent = false;
         listener.droneChanged(drone.state());
     }
 

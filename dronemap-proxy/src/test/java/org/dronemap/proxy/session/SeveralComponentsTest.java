@@ -15,6 +15,9 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.lease.Lease;
+import org.dronemap.core.lease.LeaseEvent;
+import org.dronemap.core.lease.LeaseHolder;
 import org.dronemap.core.time.SteppedTime;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;
@@ -38,6 +41,7 @@ class SeveralComponentsTest {
     private static final int COMPANION = 191;
     private static final int GIMBAL = 154;
     private static final int ARM = 400;
+    private static final int ALT_HOLD = 2;
     private static final Heartbeat CLAIMS_TO_BE_A_COPTER = new Heartbeat(2, 3, 0, 0, 4, 3);
     private static final Heartbeat GUIDED_AND_ARMED = new Heartbeat(2, 3, 0x81, 4, 4, 3);
     private static final Duration BEAT = Duration.ofMillis(500);
@@ -204,6 +208,21 @@ class SeveralComponentsTest {
             autopilot();
         });
         isTheAutopilot();
+    }
+
+    /** Its first mode is the one that the other component had said: the next is a change all the same. */
+    @Test
+    void aPilotWhoActsLaterIsNoticedThoughTheAutopilotTookOverInTheSameMode() {
+        speak(4, () -> says(GIMBAL, GUIDED_AND_ARMED));
+        speak(4, this::autopilot);
+        isTheAutopilot();
+        cloud.cloud().controls().apply(drone().id(), new LeaseEvent.TakeControl("ann"));
+        speak(4, () -> says(AUTOPILOT, new Heartbeat(2, 3, 0x81, ALT_HOLD, 4, 3)));
+
+        assertThat(drone().mode()).isEqualTo("ALT_HOLD");
+        assertThat(cloud.cloud().controls().control(drone().id()).tenure())
+                .extracting(Lease::holder)
+                .isInstanceOf(LeaseHolder.Pilot.class);
     }
 
     @Test
