@@ -15,6 +15,9 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.operation.AirspaceSnapshot;
 import org.dronemap.core.operation.OperationObservation;
 import org.dronemap.core.operation.SavedOperation;
+import org.dronemap.core.separation.GiveWay;
+import org.dronemap.core.separation.SeparationBoard;
+import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.Zone;
 
 /** Builds the observations of its drones that an operation decides on. Owned by the conductor's thread. */
@@ -27,6 +30,7 @@ final class ObservationBuilder {
     private final CloudManager cloud;
     private final DroneGateway crew;
     private final OperationRights rights;
+    private final SeparationBoard board;
     private final Clock clock;
     private final LinkLossTimer silence;
     private final StationaryTimer stillness;
@@ -35,12 +39,13 @@ final class ObservationBuilder {
     private long aloftNanos;
 
     ObservationBuilder(
-            CloudManager cloud, DroneGateway crew, OperationRights rights, Clock clock, LongSupplier nanoTime) {
+            CloudManager cloud, DroneGateway crew, OperationRights rights, SeparationBoard board, Time time) {
         this.cloud = cloud;
         this.crew = crew;
         this.rights = rights;
-        this.clock = clock;
-        this.nanoTime = nanoTime;
+        this.board = board;
+        this.clock = time.clock();
+        this.nanoTime = time::nanos;
         this.aloftNanos = nanoTime.getAsLong() - KEPT_NANOS;
         this.silence = new LinkLossTimer(nanoTime);
         this.stillness = new StationaryTimer(nanoTime);
@@ -48,12 +53,17 @@ final class ObservationBuilder {
 
     /** In the order of their ids. */
     OperationObservation observe(SavedOperation of, OperationLeases reins, Set<DroneId> drones) {
+        Map<DroneId, GiveWay> giveWays = board.giveWays();
         TreeMap<String, DroneState> states = new TreeMap<>();
         drones.forEach(id -> cloud.drone(id).ifPresent(state -> states.put(id.value(), state)));
         List<OperationObservation.ObservedDrone> seen = new ArrayList<>();
         for (DroneState state : states.values()) {
             seen.add(new OperationObservation.ObservedDrone(
-                    state, controlStatus(of, reins, state.id()), silence.of(state), stillness.of(state)));
+                    state,
+                    controlStatus(of, reins, state.id()),
+                    silence.of(state),
+                    stillness.of(state),
+                    giveWays.get(state.id())));
         }
         return new OperationObservation(clock.instant(), seen);
     }

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Queue;
 import java.util.Set;
@@ -26,6 +27,7 @@ import org.dronemap.core.operation.OperationStore;
 import org.dronemap.core.operation.ReporterState;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.operation.TargetReport;
+import org.dronemap.core.separation.SeparationBoard;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -57,6 +59,7 @@ final class OperationExecution<S, I> {
             OperationStore store,
             DroneGateway crew,
             ObservationBuilder observations,
+            SeparationBoard board,
             ComputationExecutor computations,
             Clock clock,
             LongSupplier nanoTime,
@@ -114,7 +117,13 @@ final class OperationExecution<S, I> {
         return reins.acquireAll(kind.machine().drones(now.state()));
     }
 
+    /** Nobody conducts it any more. */
+    void forgetIntents() {
+        means.board().intend(holder.id(), Map.of());
+    }
+
     void releaseLeases() {
+        forgetIntents();
         reins.retainOnly(Set.of());
     }
 
@@ -181,6 +190,17 @@ final class OperationExecution<S, I> {
         OperationObservation seen =
                 wheel == null ? scene : wheel.turn(state, means.observations().withAirspace(saved, scene, drones));
         apply(own(() -> kind.machine().observed(state, seen)));
+        publishIntents();
+    }
+
+    private void publishIntents() {
+        means.board()
+                .intend(
+                        holder.id(),
+                        isOver()
+                                ? Map.of()
+                                : own(() -> kind.machine()
+                                        .intents(now.state(), means.clock().instant())));
     }
 
     private void collectOutcomes() {
@@ -308,6 +328,7 @@ final class OperationExecution<S, I> {
         reins.retainOnly(wanted());
         if (isOver()) {
             cancelComputations();
+            publishIntents();
         }
         means.listener().changed(next.saved(), decision.why() == null ? "" : decision.why());
     }

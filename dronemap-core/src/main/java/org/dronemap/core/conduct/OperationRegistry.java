@@ -185,6 +185,7 @@ final class OperationRegistry {
         LOG.error("Conducting {} fails again and again", id, fault);
         aside.add(one.now().saved(), "It cannot go on: " + fault.getMessage(), drones.get());
         one.cancelComputations();
+        one.forgetIntents();
         conducted.remove(id);
         faults.remove(id);
         troubles.remove(id);

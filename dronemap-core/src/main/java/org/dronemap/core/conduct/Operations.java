@@ -26,6 +26,7 @@ import org.dronemap.core.operation.ReporterState;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.operation.TargetReport;
 import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.core.separation.SeparationBoard;
 import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -113,6 +114,7 @@ public final class Operations implements CloudListener, AutoCloseable {
             CloudManager cloud,
             OperationStore store,
             OperationRights rights,
+            SeparationBoard board,
             Time time,
             Collection<OperationKind<?, ?>> kinds) {
         this.cloud = cloud;
@@ -125,7 +127,8 @@ public final class Operations implements CloudListener, AutoCloseable {
         OperationExecution.Context means = new OperationExecution.Context(
                 store,
                 crew,
-                new ObservationBuilder(cloud, crew, rights, clock, nanoTime),
+                new ObservationBuilder(cloud, crew, rights, board, time),
+                board,
                 computations,
                 clock,
                 nanoTime,

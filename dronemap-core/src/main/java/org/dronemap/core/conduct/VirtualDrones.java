@@ -17,6 +17,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.operation.Objection;
+import org.dronemap.core.separation.SeparationBoard;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.DroneSelection;
 import org.dronemap.core.virtual.VirtualDrone;
@@ -78,8 +79,9 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
             VirtualDroneStore store,
             VirtualRunMachine machine,
             VirtualDroneRights rights,
+            SeparationBoard board,
             Time time) {
-        this(cloud, store, machine, rights, USUAL_RHYTHM, time);
+        this(cloud, store, machine, rights, board, USUAL_RHYTHM, time);
     }
 
     /** {@code rhythm}: between two looks at all that is under way. */
@@ -88,6 +90,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
             VirtualDroneStore store,
             VirtualRunMachine machine,
             VirtualDroneRights rights,
+            SeparationBoard board,
             Duration rhythm,
             Time time) {
         this.cloud = cloud;
@@ -97,7 +100,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
         this.clock = time.clock();
         this.thread = new ExecutionThread(time, "conductor");
         DroneGateway crew = new DroneGateway(cloud, FACE);
-        this.runs = new VirtualRunExecutor(cloud, book, crew, new VirtualRunExecutor.Context(machine, rights, time));
+        this.runs = new VirtualRunExecutor(cloud, book, crew, new VirtualRunExecutor.Context(machine, rights, board, time));
         this.recalls = new LostDroneRecall(cloud, book, new ReturnCommander(crew, time));
     }
 
@@ -248,6 +251,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     @Override
     public void commandChanged(CommandRecord command) {
         boolean others = !command.face().equals(FACE)
+                && !command.face().equals(SeparationConductor.FACE)
                 && command.phase() == CommandPhase.SENT
                 && CommandKind.named(command.type())
                         .filter(kind -> kind.purpose().interrupts())
@@ -282,6 +286,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
                 book.find(drone.id()).ifPresent(recalls::recall);
             });
         }
+        guard(runs::publishIntents);
         turn = (turn + 1) % TURNS_PER_SEARCH;
         if (turn == 0) {
             guard(runs::serveQueue);

@@ -2,7 +2,9 @@ package org.dronemap.core.conduct;
 
 import java.time.Clock;
 import java.time.Duration;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import org.dronemap.core.cloud.CloudManager;
@@ -15,6 +17,9 @@ import org.dronemap.core.command.Refusal;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Wind;
+import org.dronemap.core.separation.FlightIntent;
+import org.dronemap.core.separation.GiveWay;
+import org.dronemap.core.separation.SeparationBoard;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.DroneCandidate;
 import org.dronemap.core.virtual.DroneChoice;
@@ -23,6 +28,7 @@ import org.dronemap.core.virtual.ServiceDemand;
 import org.dronemap.core.virtual.UnfitCode;
 import org.dronemap.core.virtual.UnfitReason;
 import org.dronemap.core.virtual.VirtualDrone;
+import org.dronemap.core.virtual.VirtualFlightIntent;
 import org.dronemap.core.virtual.VirtualDroneId;
 import org.dronemap.core.virtual.VirtualRun;
 import org.dronemap.core.virtual.VirtualRunAssignment;
@@ -44,6 +50,7 @@ final class VirtualRunExecutor {
     private final DroneGateway crew;
     private final VirtualRunMachine machine;
     private final VirtualDroneRights rights;
+    private final SeparationBoard board;
     private final Time time;
     private final Clock clock;
     private final StationaryTimer stillness;
@@ -51,7 +58,7 @@ final class VirtualRunExecutor {
     private final ConcurrentHashMap<VirtualDroneId, List<DroneSelection.Unfit>> waitingFor = new ConcurrentHashMap<>();
 
     /** Services that runs of virtual drones are driven with: state machine, rights and time. */
-    record Context(VirtualRunMachine machine, VirtualDroneRights rights, Time time) {}
+    record Context(VirtualRunMachine machine, VirtualDroneRights rights, SeparationBoard board, Time time) {}
 
     VirtualRunExecutor(CloudManager cloud, VirtualDroneRegistry book, DroneGateway crew, Context means) {
         this.cloud = cloud;
@@ -59,6 +66,7 @@ final class VirtualRunExecutor {
         this.crew = crew;
         this.machine = means.machine();
         this.rights = means.rights();
+        this.board = means.board();
         this.time = means.time();
         this.clock = time.clock();
         this.stillness = new StationaryTimer(time::nanos);
@@ -175,7 +183,22 @@ final class VirtualRunExecutor {
         leave(drone.with(step.run()), assignment, step);
     }
 
+    /** What all of them mean their drones to do next. */
+    void publishIntents() {
+        Map<DroneId, FlightIntent> intents = new HashMap<>();
+        for (VirtualDrone drone : book.all()) {
+            VirtualRun run = drone.run();
+            VirtualRunAssignment assignment = run == null ? null : run.assignment();
+            if (run != null && assignment != null) {
+                VirtualFlightIntent.of(run, assignment)
+                        .ifPresent(intent -> intents.put(assignment.drone(), intent));
+            }
+        }
+        board.intend(VirtualDrones.FACE, intents);
+    }
+
     private VirtualRunObservation sight(VirtualDrone by, VirtualRunAssignment assignment) {
+        GiveWay giveWay = board.giveWay(assignment.drone()).orElse(null);
         DroneState drone = cloud.drone(assignment.drone()).orElse(null);
         CommandId command = assignment.command();
         Optional<CommandRecord> record = command == null ? Optional.empty() : crew.record(command);
@@ -188,6 +211,7 @@ final class VirtualRunExecutor {
                 drone == null ? Duration.ZERO : silence.of(drone),
                 drone == null ? Duration.ZERO : stillness.of(drone),
                 rights.mayFly(by.account()),
+                giveWay,
                 clock.instant());
     }
 

@@ -2,11 +2,13 @@ package org.dronemap.core.operation;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.separation.FlightIntent;
 
 /**
  * A long-running task that the cloud carries out with drones (a mission run, a follow), as a pure state machine. Who
@@ -29,6 +31,14 @@ public interface Operation<S, I> {
     /** The drones that it looks at, such as those it was parted from: a scene shows these and those that it controls. */
     default Set<DroneId> watched(S state) {
         return drones(state);
+    }
+
+    /**
+     * What it means its drones to do next, for those who keep all drones apart; drones that it means nothing of are left out.
+     * It hangs on the state and the moment alone.
+     */
+    default Map<DroneId, FlightIntent> intents(S state, Instant now) {
+        return Map.of();
     }
 
     /** Who steers its drones between its decisions; empty: nobody does. Asked once, when it is taken up. */

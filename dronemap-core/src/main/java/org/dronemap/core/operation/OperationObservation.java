@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.separation.GiveWay;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -46,8 +47,18 @@ public record OperationObservation(
      *
      * @param silence for how long nothing was heard, zero while its link is live
      * @param still for how long it has not moved from its place
+     * @param giveWay to whom it gives way; null: to nobody
      */
-    public record ObservedDrone(DroneState state, ControlStatus control, Duration silence, Duration still) {
+    public record ObservedDrone(
+            DroneState state,
+            ControlStatus control,
+            Duration silence,
+            Duration still,
+            @Nullable GiveWay giveWay) {
+        public ObservedDrone(DroneState state, ControlStatus control, Duration silence, Duration still) {
+            this(state, control, silence, still, null);
+        }
+
         /** Why the operation may not command it, as a sentence; null: it may. */
         public @Nullable String whyNotCommandable() {
             return control.whyNotHeld() == null ? control.whyNotAllowed() : control.whyNotHeld();

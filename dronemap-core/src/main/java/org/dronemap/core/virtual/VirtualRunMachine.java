@@ -80,7 +80,8 @@ public final class VirtualRunMachine {
         }
         return sight.underWay()
                 ? VirtualRunStep.unchanged(progress(run, assignment, drone))
-                : go(run, assignment, drone, sight);
+                : VirtualGivingWay.next(progress(run, assignment, drone), drone, sight)
+                        .orElseGet(() -> go(run, assignment, drone, sight));
     }
 
     /** Somebody who goes first commands the drone now: the run waits for its user. */
@@ -301,7 +302,7 @@ public final class VirtualRunMachine {
         return VirtualRunStep.send(run, away ? homeward(drone) : new Command.Disarm(false));
     }
 
-    private static Command homeward(DroneState drone) {
+    static Command homeward(DroneState drone) {
         return drone.capabilities().commands().contains(Capability.RETURN_TO_LAUNCH)
                 ? new Command.ReturnToLaunch()
                 : new Command.Land();

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.time.Instant;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.separation.GiveWay;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -16,6 +17,7 @@ import org.jspecify.annotations.Nullable;
  * @param silence for how long nothing was heard
  * @param still for how long it has not moved from its place
  * @param mayFly the owner still may
+ * @param giveWay to whom the drone gives way; null: to nobody
  */
 public record VirtualRunObservation(
         @Nullable DroneState drone,
@@ -25,4 +27,5 @@ public record VirtualRunObservation(
         Duration silence,
         Duration still,
         boolean mayFly,
+        @Nullable GiveWay giveWay,
         Instant now) {}

@@ -30,6 +30,7 @@ import org.dronemap.core.operation.JournalReplay;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.organisation.OrganisationId;
+import org.dronemap.core.separation.SeparationBoard;
 import org.dronemap.core.time.RealTime;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -94,7 +95,12 @@ abstract class OperationTestBase {
 
     Operations operations() {
         Operations made = new Operations(
-                cloud, store, (owner, drone) -> rights.get(), new RealTime(), List.of(ArmingOperation.KIND));
+                cloud,
+                store,
+                (owner, drone) -> rights.get(),
+                new SeparationBoard(),
+                new RealTime(),
+                List.of(ArmingOperation.KIND));
         made.addListener((saved, why) -> told.add(why));
         return made;
     }

@@ -392,6 +392,6 @@ class VirtualRunMachineTest {
 
     private VirtualRunObservation sight(
             @Nullable Outcome outcome, @Nullable String takenBy, Duration silence, boolean mayFly) {
-        return new VirtualRunObservation(drone.state(), takenBy, outcome, false, silence, still, mayFly, now);
+        return new VirtualRunObservation(drone.state(), takenBy, outcome, false, silence, still, mayFly, null, now);
     }
 }

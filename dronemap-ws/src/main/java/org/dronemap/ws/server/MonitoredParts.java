@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.dronemap.core.cloud.lane.Lanes;
 import org.dronemap.core.cloud.lane.StoreWriter;
 import org.dronemap.core.conduct.Operations;
+import org.dronemap.core.conduct.SeparationConductor;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.proxy.endpoint.EndpointRegistry;
 import org.dronemap.proxy.roslink.RoslinkConnector;
@@ -18,6 +19,7 @@ record MonitoredParts(
         StoreWriter journal,
         VirtualDrones virtuals,
         Operations operations,
+        SeparationConductor separation,
         EndpointRegistry vehicles,
         RoslinkConnector robots) {
     /** A lane does nothing that takes long. */
@@ -30,6 +32,7 @@ record MonitoredParts(
         lanes.all().forEach(lane -> parts.add(ServerPart.thread(lane.name(), LONGEST_ON_A_LANE, lane::atTheSame)));
         parts.add(ServerPart.thread("conductor", LONGEST_WRITE, virtuals::busyFor));
         parts.add(ServerPart.thread("operations", LONGEST_WRITE, operations::busyFor));
+        parts.add(ServerPart.thread("separation", LONGEST_WRITE, separation::busyFor));
         parts.add(ServerPart.thread("journal", LONGEST_WRITE, journal::busyFor));
         parts.add(new ServerPart("endpoints", this::endpointTrouble));
         return List.copyOf(parts);

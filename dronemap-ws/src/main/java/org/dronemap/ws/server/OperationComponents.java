@@ -13,6 +13,7 @@ import org.dronemap.core.conduct.OperationRights;
 import org.dronemap.core.conduct.Operations;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.OperationStore;
+import org.dronemap.core.separation.SeparationBoard;
 import org.dronemap.core.time.Time;
 import org.dronemap.ws.journal.FollowJournalCodec;
 import org.dronemap.ws.journal.RunJournalCodec;
@@ -30,12 +31,17 @@ public record OperationComponents(
 
     /** Not started yet; {@code apart}: what drones that follow keep from others. */
     public static OperationComponents of(
-            CloudManager cloud, OperationStore store, OperationRights rights, FollowSeparation apart, Time time) {
+            CloudManager cloud,
+            OperationStore store,
+            OperationRights rights,
+            FollowSeparation apart,
+            SeparationBoard board,
+            Time time) {
         OperationKind<RunState, RunInput> kind =
                 new OperationKind<>(MISSION_RUN, new MissionRunOperation(), new RunJournalCodec());
         OperationKind<FollowState, FollowInput> follows =
                 new OperationKind<>(FOLLOW, new FollowOperation(apart), new FollowJournalCodec());
         return new OperationComponents(
-                new Operations(cloud, store, rights, time, List.of(kind, follows)), kind, follows);
+                new Operations(cloud, store, rights, board, time, List.of(kind, follows)), kind, follows);
     }
 }

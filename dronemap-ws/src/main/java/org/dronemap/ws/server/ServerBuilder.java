@@ -20,6 +20,7 @@ import org.dronemap.core.command.CommandStore;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.conduct.BindingAuditListener;
 import org.dronemap.core.conduct.Operations;
+import org.dronemap.core.conduct.SeparationConductor;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -29,6 +30,8 @@ import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.link.EndpointStore;
 import org.dronemap.core.link.SavedEndpoint;
 import org.dronemap.core.process.ProcessStart;
+import org.dronemap.core.separation.Separation;
+import org.dronemap.core.separation.SeparationBoard;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.VirtualRunMachine;
 import org.dronemap.proxy.MavlinkConnector;
@@ -71,6 +74,7 @@ public final class ServerBuilder {
     private final Lanes lanes;
     private final OutletBuilder outlets;
     private final RobotEndpointBuilder robots;
+    private final SeparationBoard board = new SeparationBoard();
     private @Nullable Outlet outlet;
     private @Nullable MavlinkConnector proxy;
     private @Nullable RoslinkConnector robotLinks;
@@ -112,6 +116,7 @@ public final class ServerBuilder {
         MavlinkConnector links = links(cloud, keyrings, taps(recorder, clients), doors(dtlsKeys), stores.links());
         RobotKeyRing robotKeys = new RobotKeyRing(stores.links());
         RoslinkConnector robotSide = robots(cloud, recorder, robotKeys, doors(dtlsKeys));
+        SeparationConductor separation = separation(cloud);
         VirtualDrones virtuals = virtualDrones(cloud, stores, grants, audit);
         OperationComponents runs = runs(cloud, stores, grants);
         return new ServerComponents(
@@ -133,7 +138,7 @@ public final class ServerBuilder {
                 runs,
                 audit,
                 new Argon2Passwords(),
-                new MonitoredParts(lanes, journal, virtuals, runs.operations(), links.links(), robotSide).all(),
+                new MonitoredParts(lanes, journal, virtuals, runs.operations(), separation, links.links(), robotSide).all(),
                 beginning);
     }
 
@@ -214,6 +219,16 @@ public final class ServerBuilder {
         return grants;
     }
 
+    /** Before anybody conducts anything: who gives way to whom is known before drones are judged by it. */
+    private SeparationConductor separation(CloudManager cloud) {
+        Separation least = new Separation(
+                settings.apart().groundMeters(), settings.apart().heightMeters());
+        SeparationConductor separation = new SeparationConductor(cloud, board, least, time);
+        separation.start();
+        closing.add("the separation of drones", separation);
+        return separation;
+    }
+
     /** Takes up what was under way, before any vehicle is heard and anybody else can command. */
     private VirtualDrones virtualDrones(
             CloudManager cloud, Stores stores, GrantRegistry grants, ServerComponents.AuditComponents audit) {
@@ -222,6 +237,7 @@ public final class ServerBuilder {
                 stores.virtualDrones(),
                 new VirtualRunMachine(settings.virtualSilence()),
                 new OwnerRightsCache(stores.access(), grants, time),
+                board,
                 time);
         virtuals.addListener(new BindingAuditListener(audit.store(), time.clock(), virtuals.all()));
         if (beginning.precautions().isActive()) {
@@ -236,7 +252,7 @@ public final class ServerBuilder {
     /** As for virtual drones. */
     private OperationComponents runs(CloudManager cloud, Stores stores, GrantRegistry grants) {
         OwnerRightsCache owners = new OwnerRightsCache(stores.access(), grants, time);
-        OperationComponents runs = OperationComponents.of(cloud, stores.operations(), owners, settings.apart(), time);
+        OperationComponents runs = OperationComponents.of(cloud, stores.operations(), owners, settings.apart(), board, time);
         if (beginning.precautions().isActive()) {
             runs.operations().setAside(SET_ASIDE);
         } else {

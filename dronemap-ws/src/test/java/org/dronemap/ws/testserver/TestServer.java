@@ -43,7 +43,9 @@ import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.process.ProcessStart;
 import org.dronemap.core.recording.RecordingPolicy;
+import org.dronemap.core.separation.SeparationBoard;
 import org.dronemap.core.time.RealTime;
+import org.dronemap.core.separation.SeparationBoard;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.VirtualRunMachine;
 import org.dronemap.proxy.record.Recorder;
@@ -155,7 +157,7 @@ public final class TestServer implements AutoCloseable {
         history = history();
         virtuals = virtuals();
         OwnerRightsCache rights = new OwnerRightsCache(access, grants, time);
-        runs = OperationComponents.of(cloud, stores.operations, rights, FollowSeparation.USUAL, time);
+        runs = OperationComponents.of(cloud, stores.operations, rights, FollowSeparation.USUAL, new SeparationBoard(), time);
         runs.operations().restore();
         runs.operations().goOn();
         ServerComponents house = new ServerComponents(
@@ -188,6 +190,7 @@ public final class TestServer implements AutoCloseable {
                 stores.virtuals,
                 new VirtualRunMachine(VirtualRunMachine.USUAL_SILENCE),
                 new OwnerRightsCache(access, grants, time),
+                new SeparationBoard(),
                 RHYTHM_OF_VIRTUALS,
                 time);
         made.addListener(new BindingAuditListener(audit.store(), Clock.systemUTC(), made.all()));

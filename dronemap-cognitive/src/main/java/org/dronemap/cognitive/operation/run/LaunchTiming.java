@@ -44,7 +44,10 @@ final class LaunchTiming {
     }
 
     static boolean isDue(RunTransition draft, Sortie sortie) {
-        return draft.clock().launched()
-                && !draft.now().isBefore(sortie.moment(sortie.tour().departsSeconds()));
+        return isDue(draft.clock(), sortie, draft.now());
+    }
+
+    static boolean isDue(RunState.Clock clock, Sortie sortie, Instant now) {
+        return clock.launched() && !now.isBefore(sortie.moment(sortie.tour().departsSeconds()));
     }
 }

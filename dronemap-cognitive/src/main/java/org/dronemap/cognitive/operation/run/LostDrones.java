@@ -215,7 +215,7 @@ final class LostDrones {
             if (explained) {
                 RunCloudLoss.markMissed(draft, draft.drone(drone.id()));
             }
-        } else if (look.isSteered() || (look.waits() && look.airborne() && flew)) {
+        } else if (look.isSteered() || (look.waits() && look.airborne() && flew && look.giveWay() == null)) {
             // Who flew a mission does not come to stand by itself.
             String words = name + " is heard again, in mode " + look.mode() + "; it is left alone until it is resumed.";
             DroneWithdrawal.withdraw(draft, drone, RunDroneStage.SUSPENDED, RunTrigger.HEARD_AGAIN, words);

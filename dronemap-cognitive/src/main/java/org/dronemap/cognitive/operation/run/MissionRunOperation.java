@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.dronemap.cognitive.operation.run.model.DroneObservation;
@@ -17,6 +18,7 @@ import org.dronemap.core.operation.Objection;
 import org.dronemap.core.operation.Operation;
 import org.dronemap.core.operation.OperationDecision;
 import org.dronemap.core.operation.OperationObservation;
+import org.dronemap.core.separation.FlightIntent;
 
 /** The state machine of a mission run: several drones fly a plan, which changes when something happens to them. */
 public final class MissionRunOperation implements Operation<RunState, RunInput> {
@@ -53,6 +55,11 @@ public final class MissionRunOperation implements Operation<RunState, RunInput> 
         Set<DroneId> drones = new LinkedHashSet<>();
         state.drones().forEach(drone -> drones.add(drone.id()));
         return drones;
+    }
+
+    @Override
+    public Map<DroneId, FlightIntent> intents(RunState state, Instant now) {
+        return RunIntents.of(state, now);
     }
 
     @Override
@@ -107,7 +114,7 @@ public final class MissionRunOperation implements Operation<RunState, RunInput> 
         looks.forEach(look -> RunDroneMonitor.observe(draft, look));
         ReplanScheduler.requestIfNeeded(draft, looks);
         LaunchTiming.launchWhenReady(draft);
-        SeparationGuard.keepApart(draft, looks);
+        looks.forEach(look -> RunYielding.update(draft, look));
         looks.forEach(look -> RunCommands.advance(draft, look));
         RunCompletion.close(draft);
     }

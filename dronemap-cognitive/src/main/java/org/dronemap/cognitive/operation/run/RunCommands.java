@@ -34,7 +34,6 @@ final class RunCommands {
             return;
         }
         if (waits(draft, drone)) {
-            stepAside(draft, drone, look);
             return;
         }
         if (draft.isPaused() && RunPause.stays(draft, drone, look)) {
@@ -55,27 +54,6 @@ final class RunCommands {
     private static boolean waits(RunTransition draft, RunDrone drone) {
         Instant notBefore = drone.attempts().notBefore();
         return notBefore != null && draft.now().isBefore(notBefore);
-    }
-
-    /** It flies no mission meanwhile: what it gets is brought to it on its step aside, and begun after that. */
-    private static void stepAside(RunTransition draft, RunDrone drone, DroneObservation look) {
-        Sortie next = drone.next();
-        boolean steps = drone.stage() == RunDroneStage.HOLDING
-                && drone.flags().waitsFor() != null
-                && drone.attempts().failed() == 0
-                && look.waits()
-                && !draft.isPaused();
-        if (!steps
-                || next == null
-                || !WaypointTransfer.isFree(draft, drone, next)
-                || isAmended(draft, drone, next, look)) {
-            return;
-        }
-        if (Boolean.TRUE.equals(look.progress().carriesNext())) {
-            draft.put(uploaded(drone, next));
-        } else {
-            uploadWhenIdle(draft, drone, next, look);
-        }
     }
 
     private static void onTheGround(RunTransition draft, RunDrone drone, DroneObservation look) {

@@ -67,7 +67,8 @@ final class RunObservations {
                 state.returnHeight(),
                 progress(drone, state),
                 payload(drone.sortie(), state),
-                seen.control().transfer());
+                seen.control().transfer(),
+                seen.giveWay());
     }
 
     private static PayloadState payload(@Nullable Sortie sortie, DroneState state) {

@@ -8,6 +8,7 @@ import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.PayloadState;
 import org.dronemap.core.drone.ReturnHeight;
 import org.dronemap.core.stored.Stored;
+import org.dronemap.core.separation.GiveWay;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -26,11 +27,13 @@ import org.jspecify.annotations.Nullable;
  * @param canReturn whether it knows a way home of its own, else it is told to land
  * @param returnHeight null: the cloud has not set it
  * @param transfer of its mission, which is under way and may be somebody else's; null: none is
+ * @param giveWay to whom it gives way; null: to nobody
  */
 @Stored(
         names = "drone takenBy link silence still ready mode ordersMode steering armed airborne place "
                 + "aboveHomeMeters climb speed tiltDegrees batteryPercent canGoTo canReturn returnHeight "
-                + "progress payload transfer")
+                + "progress payload transfer giveWay",
+        later = "giveWay")
 public record DroneObservation(
         DroneId drone,
         @Nullable String holder,
@@ -54,7 +57,8 @@ public record DroneObservation(
         @Nullable ReturnHeight returnHeight,
         Progress progress,
         PayloadState payload,
-        @Nullable String transfer) {
+        @Nullable String transfer,
+        @Nullable GiveWay giveWay) {
     /** m/s over ground: whoever is slower stands. */
     private static final double STANDS_SPEED = 2;
 

@@ -1,17 +1,16 @@
-package org.dronemap.cognitive.operation.run;
+package org.dronemap.core.separation;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import org.dronemap.cognitive.problem.Speeds;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** How drones gather speed and brake. */
 class MotionProfileTest {
-    private static final Speeds SPEEDS = new Speeds(10, 2.5, 1.5, 0.5, 15, 2);
-    private static final Speeds AT_ONCE = new Speeds(10, 2.5, 1.5, 0.5, 15, Double.POSITIVE_INFINITY);
+    private static final FlightPace SPEEDS = new FlightPace(10, 2.5, 1.5, 2);
+    private static final FlightPace AT_ONCE = new FlightPace(10, 2.5, 1.5, Double.POSITIVE_INFINITY);
 
     @ParameterizedTest
     @CsvSource({"100, 0, 15", "50, 0, 10", "8, 0, 4", "100, 10, 12.5", "25, 10, 5", "0, 0, 0"})

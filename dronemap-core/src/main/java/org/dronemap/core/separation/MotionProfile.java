@@ -1,9 +1,8 @@
-package org.dronemap.cognitive.operation.run;
+package org.dronemap.core.separation;
 
-import org.dronemap.cognitive.problem.Speeds;
 
 /**
- * Speed profile of a straight leg that ends at rest: how far along it a run's drone is at each time. Speeds in m/s,
+ * Speed profile of a straight leg that ends at rest: how far along it a drone is at each time. Speeds in m/s,
  * metres, seconds.
  */
 final class MotionProfile {
@@ -16,7 +15,7 @@ final class MotionProfile {
     private final double braking;
 
     /** {@code moving}: how fast it is at its beginning. */
-    MotionProfile(double meters, double moving, Speeds speeds) {
+    MotionProfile(double meters, double moving, FlightPace speeds) {
         this.meters = meters;
         this.acceleration = speeds.acceleration();
         this.begins = Math.min(moving, speeds.cruise());

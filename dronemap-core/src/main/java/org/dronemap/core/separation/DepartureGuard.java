@@ -1,0 +1,209 @@
+package org.dronemap.core.separation;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.dronemap.core.drone.DroneId;
+import org.jspecify.annotations.Nullable;
+
+/** Lets drones set off only where that is clear: from the ground, from a stand in the air, and after they gave way. */
+final class DepartureGuard {
+    /** Within that nobody sets off who still rolls: where it comes to stand is not known. */
+    private static final double ROLLS_METERS = 40;
+    /** m/s over the ground: whoever is slower stands. */
+    private static final double STANDS_SPEED = 2;
+    /** From the decision until it rises. */
+    private static final int STRIDES_TO_ARM = 6;
+    /** The share of the distance that two who fly by their plans may come to. */
+    private static final double AS_PLANNED = 0.7;
+
+    private static final Duration LONGEST_YIELD = Duration.ofSeconds(15);
+    private static final Duration LONGEST_ARMING = Duration.ofSeconds(20);
+    private static final double OVER_METERS = 6;
+    private static final double OVER_SECONDS = 5;
+    /** Over its home nobody climbs from here to make room. */
+    private static final double HIGHEST_OVER_METERS = 80;
+
+    private final SeparationRound round;
+    /** Who sets off now, or is about to: nobody else sets off into their way. */
+    private final Map<DroneId, List<Track>> departing = new HashMap<>();
+
+    DepartureGuard(SeparationRound round) {
+        this.round = round;
+    }
+
+    void check() {
+        // Who has set off already comes first.
+        round.picture.drones().stream().filter(DepartureGuard::rises).forEach(drone -> departing.put(
+                drone.id(), round.far.here(drone) == null ? List.of() : List.of(fromTheGround(drone))));
+        round.picture.drones().stream()
+                .filter(drone -> drone.step() == FlightIntent.Step.RISE && !rises(drone))
+                .forEach(this::checkTakeOff);
+        round.picture.drones().stream().filter(DepartureGuard::isAboutToGoOn).forEach(this::checkDeparture);
+        round.picture.drones().stream()
+                .filter(drone -> round.yielding(drone) != null)
+                .forEach(this::checkHold);
+    }
+
+    /** It is armed for its mission, and not in the air yet. */
+    private static boolean rises(TrackedDrone drone) {
+        return drone.step() == FlightIntent.Step.RISE
+                && Boolean.TRUE.equals(drone.state().armed())
+                && !drone.state().airborne();
+    }
+
+    private Track fromTheGround(TrackedDrone drone) {
+        TrackSample here = round.far.here(drone);
+        return here == null ? new Track(List.of()) : round.far.mission(drone, here);
+    }
+
+    /** Nobody takes off into the way of one who is in the air, or takes off beside it at the same time. */
+    private void checkTakeOff(TrackedDrone drone) {
+        TrackSample here = round.far.here(drone);
+        if (here == null || drone.state().airborne()) {
+            return;
+        }
+        Track at = round.far.mission(drone, here);
+        List<Track> up = List.of(at, at.after(STRIDES_TO_ARM));
+        Optional<TrackedDrone> above = round.picture.drones().stream()
+                .filter(other -> !other.id().equals(drone.id()))
+                .filter(other -> ways(other).stream()
+                        .anyMatch(way -> up.stream().anyMatch(mine -> isInTheWay(mine, way, other))))
+                .findFirst();
+        above.ifPresentOrElse(other -> waitFor(drone, other), () -> {
+            round.yielding.remove(drone.id());
+            if (isUnderWay(drone)) {
+                departing.put(drone.id(), up);
+            }
+        });
+    }
+
+    /** One that cannot be armed yet does not keep those beside it on the ground for ever. */
+    private boolean isUnderWay(TrackedDrone drone) {
+        FlightIntent intent = drone.intent();
+        return intent != null
+                && (intent.commanded()
+                        || Duration.between(intent.since(), round.picture.now()).compareTo(LONGEST_ARMING) < 0);
+    }
+
+    private List<Track> ways(TrackedDrone other) {
+        List<Track> all = new ArrayList<>(round.far(other));
+        all.addAll(departing.getOrDefault(other.id(), List.of()));
+        return all;
+    }
+
+    private void waitFor(TrackedDrone drone, TrackedDrone other) {
+        Yielding own = round.yielding(drone);
+        if (own == null || !own.to().equals(other.id()) || own.give().clear()) {
+            round.put(drone, round.give(other, GiveWay.Manner.WAIT, null), 0);
+        }
+    }
+
+    /** Who flies by its plan was planned for: no room is left beside the least distance. */
+    private boolean isInTheWay(Track mine, Track way, TrackedDrone other) {
+        boolean planned = other.step() == FlightIntent.Step.FLY || other.step() == FlightIntent.Step.GO_ON;
+        return mine.clearance(way, round.least) < (planned ? AS_PLANNED : 1);
+    }
+
+    private static boolean isAboutToGoOn(TrackedDrone drone) {
+        return drone.step() == FlightIntent.Step.GO_ON
+                && !drone.isCommanded()
+                && drone.state().airborne()
+                && drone.waits();
+    }
+
+    /** With a new mission it does not fly into the way of one who is not where plans take it to be. */
+    private void checkDeparture(TrackedDrone drone) {
+        TrackSample here = round.far.here(drone);
+        Yielding own = round.yielding(drone);
+        if (here == null || (own != null && own.isTold())) {
+            return;
+        }
+        Track mine = round.far.mission(drone, here);
+        Optional<TrackedDrone> other = others(drone)
+                .filter(one -> round.far(one).stream()
+                        .anyMatch(way -> isInTheWay(mine, way, one) || (rolls(drone) && isNear(mine, way))))
+                .findFirst();
+        other.ifPresentOrElse(one -> waitFor(drone, one), () -> round.yielding.remove(drone.id()));
+    }
+
+    private Stream<TrackedDrone> others(TrackedDrone drone) {
+        return round.picture.drones().stream()
+                .filter(other -> !other.id().equals(drone.id()));
+    }
+
+    private static boolean rolls(TrackedDrone drone) {
+        return drone.waits() && drone.speed() > STANDS_SPEED;
+    }
+
+    private boolean isNear(Track mine, Track way) {
+        return mine.beginsNear(way, ROLLS_METERS, round.least);
+    }
+
+    /** Who gave way in the air may go on when all is clear. */
+    private void checkHold(TrackedDrone drone) {
+        Yielding own = round.yielding(drone);
+        TrackSample here = round.far.here(drone);
+        if (own == null || here == null) {
+            return;
+        }
+        if (!own.isTold()) {
+            boolean wants = drone.step() == FlightIntent.Step.RISE || drone.step() == FlightIntent.Step.GO_ON;
+            if (!wants) {
+                round.yielding.remove(drone.id());
+            }
+            return;
+        }
+        if (!drone.waits() || drone.isCommanded() || own.isBusy(round.picture.now())) {
+            return;
+        }
+        boolean home = goesHome(drone);
+        Track mine = home ? round.far.homeward(drone, here) : round.far.mission(drone, here);
+        boolean clear = others(drone)
+                .flatMap(other -> round.far(other).stream())
+                .allMatch(way -> mine.isPassable(way, round.least) && (home || !rolls(drone) || !isNear(mine, way)));
+        round.yielding.put(drone.id(), own.clear(clear));
+        if (!clear && home && own.lasting(round.picture.now()).compareTo(LONGEST_YIELD) > 0) {
+            climbOver(drone, here, own);
+        }
+    }
+
+    private static boolean goesHome(TrackedDrone drone) {
+        FlightIntent.@Nullable Step step = drone.step();
+        return step == FlightIntent.Step.COME_HOME || drone.ahead().isEmpty();
+    }
+
+    /** Whoever is on its way home comes over those who do not pass. */
+    private void climbOver(TrackedDrone drone, TrackSample here, Yielding own) {
+        TrackSample higher = new TrackSample(here.spot(), here.low() + OVER_METERS);
+        boolean low = here.low() - drone.homeAmslMeters().orElse(here.low()) < HIGHEST_OVER_METERS;
+        boolean may = low
+                && drone.hovers()
+                && drone.canGoTo()
+                && drone.handling() == Handling.COMMANDED
+                && !isWaitedForByEarlier(drone, own)
+                && round.mayGo(drone, higher);
+        if (may) {
+            String words = "climbs to come home over those who do not pass";
+            round.command(
+                    drone,
+                    new GiveWay(
+                            own.to(), own.give().toName(), GiveWay.Manner.MOVE, round.picture.now(), false, words),
+                    OVER_SECONDS,
+                    round.goTo(higher),
+                    drone.name() + " " + words + ".");
+        }
+    }
+
+    /** Of two who wait for each other one moves. */
+    private boolean isWaitedForByEarlier(TrackedDrone drone, Yielding own) {
+        Yielding others = round.yielding.get(own.to());
+        return others != null
+                && others.to().equals(drone.id())
+                && own.to().value().compareTo(drone.id().value()) < 0;
+    }
+}

@@ -1,0 +1,55 @@
+package org.dronemap.core.separation;
+
+import java.time.Instant;
+import java.util.List;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.mission.MissionItem;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What an operation has one of its drones do next, as far as the drone itself does not show it.
+ *
+ * @param items what it has on board to be flown, or is about to start, from the item that it heads for on
+ * @param pace how fast it flies them; null: not known
+ * @param commanded a command for that is under way to it
+ * @param since since when
+ * @param bounds what keeps it from stepping aside beyond the zones of the cloud
+ */
+public record FlightIntent(
+        Step step,
+        List<MissionItem> items,
+        @Nullable FlightPace pace,
+        boolean commanded,
+        Instant since,
+        Bounds bounds) {
+    /** Bounds that an operation alone has. */
+    public interface Bounds {
+        Bounds NONE = (drone, there) -> true;
+
+        /** Whether it may go there from where it is. */
+        boolean allow(TrackedDrone drone, Command.GoTo there);
+    }
+
+    /** The step that is next. */
+    public enum Step {
+        /** Takes off as soon as that is clear. */
+        RISE,
+        /** Flies its mission. */
+        FLY,
+        /** Stands in the air until something else is decided. */
+        STAND,
+        /** Stands, and flies its mission on as soon as that is clear. */
+        GO_ON,
+        /** Comes home. */
+        COME_HOME
+    }
+
+    public FlightIntent(
+            Step step, List<MissionItem> items, @Nullable FlightPace pace, boolean commanded, Instant since) {
+        this(step, items, pace, commanded, since, Bounds.NONE);
+    }
+
+    public FlightIntent {
+        items = List.copyOf(items);
+    }
+}

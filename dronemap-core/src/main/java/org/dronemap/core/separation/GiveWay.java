@@ -1,0 +1,34 @@
+package org.dronemap.core.separation;
+
+import java.time.Instant;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.stored.Stored;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A drone gives way to another one. It stands until its operation has it go on.
+ *
+ * @param to the other one
+ * @param toName as people call it
+ * @param since when it was told this last
+ * @param clear the other one has passed: it may go on
+ * @param words what it was told beyond standing, as the end of a sentence; null: just to stand, or not to set off
+ */
+@Stored(names = "to toName manner since clear words")
+public record GiveWay(
+        DroneId to, String toName, Manner manner, Instant since, boolean clear, @Nullable String words) {
+    /** How it gives way. */
+    @Stored(names = "WAIT STOP MOVE")
+    public enum Manner {
+        /** It does not set off. */
+        WAIT,
+        /** It was told to stand. */
+        STOP,
+        /** It was told to go a few metres aside. */
+        MOVE
+    }
+
+    GiveWay withClear(boolean now) {
+        return new GiveWay(to, toName, manner, since, now, words);
+    }
+}

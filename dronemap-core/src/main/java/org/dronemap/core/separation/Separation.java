@@ -1,0 +1,31 @@
+package org.dronemap.core.separation;
+
+import org.dronemap.core.stored.Stored;
+
+/**
+ * The least separation of two drones in the air: horizontal or vertical, in metres. Heights count between drones whose
+ * homes are known to be level (see {@link VerticalMargin}).
+ *
+ * @param horizontalMeters 0 to 10,000
+ * @param verticalMeters 0 to 1,000
+ */
+@Stored(names = "horizontalMeters verticalMeters")
+public record Separation(double horizontalMeters, double verticalMeters) {
+    public static final Separation USUAL = new Separation(10, 5);
+
+    public Separation {
+        require("horizontalMeters", horizontalMeters, 10_000);
+        require("verticalMeters", verticalMeters, 1_000);
+    }
+
+    private static void require(String name, double value, double most) {
+        if (!(value >= 0 && value <= most)) {
+            throw new IllegalArgumentException(name + " must be 0 to " + most + ": " + value);
+        }
+    }
+
+    /** The same with more room both ways. */
+    public Separation plus(double horizontal, double vertical) {
+        return new Separation(horizontalMeters + horizontal, verticalMeters + vertical);
+    }
+}

@@ -1,0 +1,42 @@
+package org.dronemap.core.separation;
+
+import java.util.HashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import org.dronemap.core.drone.DroneId;
+
+/** Where operations put what they mean to do, and read to whom their drones give way. Any thread. */
+public final class SeparationBoard {
+    private final Map<String, Map<DroneId, FlightIntent>> intents = new ConcurrentHashMap<>();
+    private volatile Map<DroneId, GiveWay> giveWays = Map.of();
+
+    /** What one of them means its drones to do from now on, in the place of what it meant before. */
+    public void intend(String operation, Map<DroneId, FlightIntent> next) {
+        if (next.isEmpty()) {
+            intents.remove(operation);
+        } else {
+            intents.put(operation, Map.copyOf(next));
+        }
+    }
+
+    /** Of all operations; a drone is in the hand of one of them at most. */
+    public Map<DroneId, FlightIntent> intents() {
+        Map<DroneId, FlightIntent> all = new HashMap<>();
+        intents.values().forEach(all::putAll);
+        return all;
+    }
+
+    public void publish(Map<DroneId, GiveWay> next) {
+        giveWays = Map.copyOf(next);
+    }
+
+    /** To whom drones give way now. Read before the drones' states: who was sent on is shown so by then. */
+    public Map<DroneId, GiveWay> giveWays() {
+        return giveWays;
+    }
+
+    public Optional<GiveWay> giveWay(DroneId drone) {
+        return Optional.ofNullable(giveWays.get(drone));
+    }
+}

@@ -1,0 +1,197 @@
+package org.dronemap.core.separation;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.DroneId;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Keeps all drones apart in flight: looks seconds ahead along what each may do, and has one of two that would come too
+ * near wait until the other has passed, or step aside where waiting does not help.
+ */
+public final class SeparationGuard {
+    /** What must be done within that time must be done now. */
+    private static final int STRIDES_TO_ACT = 12;
+
+    private static final Duration LONGEST_UNANSWERED = Duration.ofMillis(1_500);
+
+    private final SeparationRound round;
+
+    private SeparationGuard(SeparationRound round) {
+        this.round = round;
+    }
+
+    /** {@code before}: who gave way until now. */
+    public static SeparationDecision decide(AirspacePicture picture, Map<DroneId, Yielding> before) {
+        SeparationRound round = new SeparationRound(picture, before);
+        YieldingReview.review(round);
+        SeparationGuard guard = new SeparationGuard(round);
+        List<TrackedDrone> drones = picture.drones();
+        for (int i = 0; i < drones.size(); i++) {
+            for (int j = i + 1; j < drones.size(); j++) {
+                guard.pair(drones.get(i), drones.get(j));
+            }
+        }
+        new DepartureGuard(round).check();
+        return round.decision();
+    }
+
+    private void pair(TrackedDrone one, TrackedDrone other) {
+        if (!mayMove(one) && !mayMove(other)) {
+            return;
+        }
+        List<Track> mine = round.near(one);
+        List<Track> yours = round.near(other);
+        if (!round.isConflict(mine, yours)) {
+            return;
+        }
+        // Who comes home by itself is the last to be stopped, and not before it must be.
+        boolean soon = round.isConflict(soon(mine), soon(yours));
+        boolean homeward = mayOnlyComeHome(one) || mayOnlyComeHome(other);
+        boolean solved = waits(one, mine, other, yours, false)
+                || dodge(one, other, true)
+                || (homeward && !soon)
+                || waits(one, mine, other, yours, true)
+                || dodge(one, other, false);
+        if (!solved) {
+            hold(other, one);
+            hold(one, other);
+        }
+    }
+
+    private boolean mayOnlyComeHome(TrackedDrone drone) {
+        return drone.comesDown() && round.yielding(drone) == null;
+    }
+
+    private static List<Track> soon(List<Track> tracks) {
+        return tracks.stream().map(track -> track.until(STRIDES_TO_ACT)).toList();
+    }
+
+    /** One of the two that is on its mission, or on its way home, stands until the other one has passed, where that helps. */
+    private boolean waits(
+            TrackedDrone one, List<Track> mine, TrackedDrone other, List<Track> yours, boolean homeward) {
+        if (other.comesDown() == homeward
+                && mayHold(other)
+                && !round.isConflict(mine, SeparationRound.stopping(yours))) {
+            hold(other, one);
+            return true;
+        }
+        boolean first = one.comesDown() == homeward
+                && mayHold(one)
+                && !round.isConflict(SeparationRound.stopping(mine), yours);
+        if (first) {
+            hold(one, other);
+        }
+        return first;
+    }
+
+    private void hold(TrackedDrone drone, TrackedDrone other) {
+        if (mayHold(drone)) {
+            round.command(
+                    drone,
+                    round.give(other, GiveWay.Manner.STOP, null),
+                    0,
+                    new Command.PauseMission(),
+                    drone.name() + " waits until " + other.name() + " has passed.");
+        }
+    }
+
+    /** One of the two gets out of the way, whose step is smaller. */
+    private boolean dodge(TrackedDrone one, TrackedDrone other, boolean entirely) {
+        Optional<EvasiveMove> mine = step(one, entirely);
+        Optional<EvasiveMove> yours = step(other, entirely);
+        boolean second = yours.isPresent() && (mine.isEmpty() || yours.get().isBetterThan(mine.get()));
+        TrackedDrone who = second ? other : one;
+        TrackedDrone whom = second ? one : other;
+        Optional<EvasiveMove> step = second ? yours : mine;
+        step.ifPresent(found -> move(who, whom, found));
+        return step.isPresent();
+    }
+
+    private void move(TrackedDrone who, TrackedDrone whom, EvasiveMove step) {
+        String words = step.words() + ", to make room for " + whom.name();
+        round.command(
+                who,
+                round.give(whom, GiveWay.Manner.MOVE, words),
+                step.seconds(),
+                round.goTo(step.to()),
+                who.name() + " " + words + ".");
+    }
+
+    /** {@code entirely}: only one that leaves it clear of all, and of none that is on its way home. */
+    private Optional<EvasiveMove> step(TrackedDrone drone, boolean entirely) {
+        TrackSample here = round.near.here(drone);
+        if ((entirely && mayOnlyComeHome(drone)) || here == null || !mayDodge(drone)) {
+            return Optional.empty();
+        }
+        List<Track> others = round.picture.drones().stream()
+                .filter(other -> !other.id().equals(drone.id()))
+                .flatMap(other -> round.near(other).stream())
+                .toList();
+        return EvasiveMove.of(
+                        drone,
+                        here,
+                        round.near,
+                        there -> round.mayGo(drone, there),
+                        track -> others.stream()
+                                .mapToDouble(other -> track.clearance(other, round.least))
+                                .min()
+                                .orElse(Double.POSITIVE_INFINITY))
+                .filter(found -> !entirely || found.isClear());
+    }
+
+    private boolean mayMove(TrackedDrone drone) {
+        return mayHold(drone) || mayDodge(drone);
+    }
+
+    /** It flies its mission or home, and is ours to stop. */
+    private boolean mayHold(TrackedDrone drone) {
+        boolean free = drone.handling() == Handling.COMMANDED
+                && drone.hovers()
+                && drone.isLive()
+                && drone.state().airborne()
+                && !drone.isCommanded();
+        Yielding own = round.yielding(drone);
+        boolean told = own != null && own.isTold() && !own.isUnheeded(round.picture.now());
+        return free && !told && (isOnMission(drone) || drone.isHomeward());
+    }
+
+    private static boolean isOnMission(TrackedDrone drone) {
+        FlightIntent.@Nullable Step step = drone.step();
+        return drone.isOnMission() && (step == null || step == FlightIntent.Step.FLY || step == FlightIntent.Step.GO_ON);
+    }
+
+    /** It flies its mission or waits in the air, is ours, and is on no way out already. */
+    private boolean mayDodge(TrackedDrone drone) {
+        if (!drone.canGoTo()) {
+            return false;
+        }
+        return mayHold(drone)
+                || (drone.handling() == Handling.COMMANDED
+                        && drone.isLive()
+                        && drone.state().airborne()
+                        && drone.waits()
+                        && isStandingForUs(drone)
+                        && isFree(drone));
+    }
+
+    private boolean isStandingForUs(TrackedDrone drone) {
+        return drone.step() == FlightIntent.Step.STAND
+                || drone.step() == FlightIntent.Step.COME_HOME
+                || round.yielding(drone) != null;
+    }
+
+    /** Nothing is under way to it; or the step that it was told should show by now, and another one is looked for. */
+    private boolean isFree(TrackedDrone drone) {
+        if (drone.isCommanded()) {
+            return false;
+        }
+        Yielding own = round.yielding(drone);
+        return own == null
+                || !own.isBusy(round.picture.now())
+                || Duration.between(own.give().since(), round.picture.now()).compareTo(LONGEST_UNANSWERED) > 0;
+    }
+}

@@ -1,0 +1,117 @@
+package org.dronemap.core.separation;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.geo.LocalPlane;
+import org.dronemap.core.mission.Altitude;
+import org.jspecify.annotations.Nullable;
+
+/** What is known and decided while one picture of the airspace is looked at. Used once, by one thread. */
+final class SeparationRound {
+    private static final double AHEAD_SECONDS = 10;
+    /** Who goes on must not be stopped again at once. */
+    private static final double CLEAR_SECONDS = 14;
+
+    private static final double ROOM_METERS = 2;
+    /** Heights wander by so much; layers are exactly as far apart as they must be. */
+    private static final double WANDER_METERS = 0.6;
+
+    final AirspacePicture picture;
+    final Separation least;
+    final LocalPlane plane;
+    final TrackForecast near;
+    final TrackForecast far;
+    final Map<DroneId, Yielding> yielding;
+    private final List<SeparationOrder> orders = new ArrayList<>();
+    private final Map<DroneId, List<Track>> nearTracks = new HashMap<>();
+    private final Map<DroneId, List<Track>> farTracks = new HashMap<>();
+
+    SeparationRound(AirspacePicture picture, Map<DroneId, Yielding> before) {
+        this.picture = picture;
+        this.least = picture.least().plus(ROOM_METERS, -WANDER_METERS);
+        this.plane = new LocalPlane(picture.drones().stream()
+                .flatMap(drone -> Optional.ofNullable(drone.point()).stream())
+                .findFirst()
+                .orElse(new Geodetic(0, 0)));
+        this.near = new TrackForecast(plane, AHEAD_SECONDS, picture.now());
+        this.far = new TrackForecast(plane, CLEAR_SECONDS, picture.now());
+        this.yielding = new HashMap<>(before);
+    }
+
+    List<Track> near(TrackedDrone drone) {
+        return nearTracks.computeIfAbsent(drone.id(), id -> told(drone, near.of(drone)));
+    }
+
+    List<Track> far(TrackedDrone drone) {
+        return farTracks.computeIfAbsent(drone.id(), id -> told(drone, far.of(drone)));
+    }
+
+    /** Who was told to stand, and does not yet, may do either; who stands does. */
+    private List<Track> told(TrackedDrone drone, List<Track> tracks) {
+        Yielding own = yielding.get(drone.id());
+        if (own == null || !own.isTold() || drone.waits() || drone.isLost()) {
+            return tracks;
+        }
+        List<Track> both = new ArrayList<>(stopping(tracks));
+        if (own.isUnheeded(picture.now())) {
+            both.addAll(tracks);
+        }
+        return both;
+    }
+
+    /** The same, told now to stand. */
+    static List<Track> stopping(List<Track> tracks) {
+        return tracks.stream()
+                .map(track -> track.stopping(TrackForecast.STRIDES_TO_STAND))
+                .toList();
+    }
+
+    boolean isConflict(List<Track> some, List<Track> others) {
+        return some.stream().anyMatch(one -> others.stream().anyMatch(other -> one.conflicts(other, least)));
+    }
+
+    @Nullable
+    Yielding yielding(TrackedDrone drone) {
+        return yielding.get(drone.id());
+    }
+
+    /** It gives way so from now on, and is commanded to. */
+    void command(TrackedDrone drone, GiveWay give, double seconds, Command command, String why) {
+        put(drone, give, seconds);
+        orders.add(new SeparationOrder(drone.id(), command, why));
+        nearTracks.remove(drone.id());
+        farTracks.remove(drone.id());
+    }
+
+    void put(TrackedDrone drone, GiveWay give, double seconds) {
+        Yielding before = yielding.get(drone.id());
+        Instant until = picture.now().plusMillis(Math.round(1_000 * seconds));
+        yielding.put(drone.id(), before == null ? Yielding.began(give, until) : before.again(give, until));
+    }
+
+    GiveWay give(TrackedDrone to, GiveWay.Manner manner, @Nullable String words) {
+        return new GiveWay(to.id(), to.name(), manner, picture.now(), false, words);
+    }
+
+    boolean mayGo(TrackedDrone drone, TrackSample there) {
+        Command.GoTo go = goTo(there);
+        FlightIntent intent = drone.intent();
+        return (intent == null || intent.bounds().allow(drone, go))
+                && picture.mayGo().test(drone, go);
+    }
+
+    Command.GoTo goTo(TrackSample there) {
+        return new Command.GoTo(plane.place(there.spot()), new Altitude(there.low(), Altitude.Reference.AMSL));
+    }
+
+    SeparationDecision decision() {
+        return new SeparationDecision(yielding, orders);
+    }
+}

@@ -1,0 +1,78 @@
+package org.dronemap.core.separation;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.dronemap.core.safety.SafetyTimes;
+
+/**
+ * Where a drone that is not heard may be: further on its mission, sooner or later, on its way home from where it missed
+ * the cloud, or standing where it was heard last, as one whose fail-safe is off does until its battery is empty.
+ */
+final class SilentCorridor {
+    /** From when it was heard last until its fail-safe acts: of firmware whose time cannot be set, and of all others. */
+    private static final List<Double> UNTIL_HOMEWARD_SECONDS =
+            List.of(6.0, SafetyTimes.VEHICLE_RETURNS.toSeconds() + 1.0);
+    /** What it may be ahead, as a share of the time since: it may climb and sink quicker than planned with. */
+    private static final double FASTER = 0.1;
+    /** What it may be behind. */
+    private static final double SLOWER = 0.2;
+    /** Between two places where it may be by now: others have no room between them. */
+    private static final double STEP_METERS = 12;
+
+    private static final double MOST_STEPS = 40;
+    /** Beside what its way takes. */
+    private static final double MARGIN_SECONDS = 60;
+    /** No battery lasts longer for one that stands in the air. */
+    private static final double STANDS_SECONDS = 45 * 60;
+
+    private final TrackForecast forecast;
+    private final TrackedDrone drone;
+    private final TrackSample from;
+    private final double gone;
+
+    SilentCorridor(TrackForecast forecast, TrackedDrone drone, TrackSample from) {
+        this.forecast = forecast;
+        this.drone = drone;
+        this.from = from;
+        this.gone = drone.silence().toMillis() / 1_000.0;
+    }
+
+    /** None: it must be down by now. */
+    List<Track> tracks() {
+        List<Track> tracks = new ArrayList<>();
+        double home = forecast.homewardSeconds(drone, from) + SafetyTimes.CORRIDOR_KEPT.toSeconds() + MARGIN_SECONDS;
+        double mission = forecast.missionSeconds(drone, from) * (1 + SLOWER) + MARGIN_SECONDS;
+        boolean flew = drone.isOnMission() && !drone.ahead().isEmpty();
+        if (flew && gone < mission) {
+            onItsMission(tracks);
+        }
+        if (gone < Math.max(home, flew ? mission : 0)) {
+            tracks.add(forecast.homeward(drone, from, gone));
+            for (double until : UNTIL_HOMEWARD_SECONDS) {
+                TrackSample missing = flew
+                        ? forecast.mission(drone, from, Math.min(gone, until), cruise())
+                                .samples()
+                                .get(0)
+                        : from;
+                tracks.add(forecast.homeward(drone, missing, Math.max(0, gone - until)));
+            }
+        }
+        if (!flew && !drone.comesDown() && gone < STANDS_SECONDS) {
+            tracks.add(forecast.standing(from));
+        }
+        return tracks;
+    }
+
+    private double cruise() {
+        return TrackForecast.pace(drone).cruise();
+    }
+
+    private void onItsMission(List<Track> tracks) {
+        double doubt = gone * (FASTER + SLOWER) * cruise();
+        int steps = (int) Math.max(1, Math.min(MOST_STEPS, Math.ceil(doubt / STEP_METERS)));
+        for (int step = 0; step <= steps; step++) {
+            double flown = gone * (1 + FASTER - (FASTER + SLOWER) * step / steps);
+            tracks.add(forecast.mission(drone, from, flown, cruise()));
+        }
+    }
+}

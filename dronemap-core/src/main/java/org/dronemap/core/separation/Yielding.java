@@ -1,0 +1,62 @@
+package org.dronemap.core.separation;
+
+import java.time.Duration;
+import java.time.Instant;
+import org.dronemap.core.drone.DroneId;
+
+/**
+ * What is remembered of a drone that gives way.
+ *
+ * @param give what its operation is shown
+ * @param since when it began to give way
+ * @param busyUntil it is on a step aside until then at most
+ * @param stood it was seen standing since it was told to
+ */
+public record Yielding(GiveWay give, Instant since, Instant busyUntil, boolean stood) {
+    /** From an order until it shows. */
+    private static final Duration UNTIL_SEEN = Duration.ofSeconds(3);
+
+    static Yielding began(GiveWay give, Instant busyUntil) {
+        return new Yielding(give, give.since(), busyUntil, false);
+    }
+
+    /** As it was before a restart: told, and long since standing. */
+    public static Yielding restored(GiveWay give) {
+        return new Yielding(give, give.since(), give.since(), true);
+    }
+
+    DroneId to() {
+        return give.to();
+    }
+
+    boolean isBusy(Instant now) {
+        return now.isBefore(busyUntil);
+    }
+
+    /** Told in flight: it is not under way to where its operation had it go. */
+    boolean isTold() {
+        return give.manner() != GiveWay.Manner.WAIT;
+    }
+
+    Yielding clear(boolean now) {
+        return give.clear() == now ? this : new Yielding(give.withClear(now), since, busyUntil, stood);
+    }
+
+    Yielding seenStanding() {
+        return stood ? this : new Yielding(give, since, busyUntil, true);
+    }
+
+    /** It gives way to another one, or in another way, from now on. */
+    Yielding again(GiveWay next, Instant until) {
+        return new Yielding(next, since, until, stood && next.manner() != GiveWay.Manner.WAIT);
+    }
+
+    /** The order did not show in time: it was lost, or somebody has it go on. */
+    boolean isUnheeded(Instant now) {
+        return !stood && Duration.between(give.since(), now).compareTo(UNTIL_SEEN) > 0;
+    }
+
+    Duration lasting(Instant now) {
+        return Duration.between(since, now);
+    }
+}
