@@ -165,6 +165,7 @@ final class RunTestBench {
         GiveWay give = new GiveWay(
                 to, "Drone " + to.value(), GiveWay.Manner.MOVE, now, false, "climbs 6 m, to make room for Drone " + to);
         yielding = Map.of(vehicle.id, new Yielding(give, now, now.plusSeconds(seconds), true));
+        fly(STEP.toMillis() / 1_000.0);
         return vehicle;
     }
 
