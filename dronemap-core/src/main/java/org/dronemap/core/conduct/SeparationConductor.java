@@ -126,10 +126,11 @@ public final class SeparationConductor implements AutoCloseable {
         Handling handling = holder == null
                 ? Handling.FOREIGN
                 : intent == null ? Handling.STEERED : Handling.COMMANDED;
+        boolean counts = holder != null || (intent != null && intent.step() == FlightIntent.Step.LIE);
         return new TrackedDrone(
                 state,
                 silence.of(state),
-                holder == null ? null : intent,
+                counts ? intent : null,
                 handling,
                 velocities.velocity(state.id()),
                 velocities.pace(state));

@@ -41,7 +41,9 @@ public record FlightIntent(
         /** Stands, and flies its mission on as soon as that is clear. */
         GO_ON,
         /** Comes home. */
-        COME_HOME
+        COME_HOME,
+        /** It has fallen: it lies on the ground, whatever it says itself. */
+        LIE
     }
 
     public FlightIntent(

@@ -39,7 +39,7 @@ final class TrackForecast {
     /** What it may do; none where it is on the ground, or nobody knows where it is. */
     List<Track> of(TrackedDrone drone) {
         TrackSample here = here(drone);
-        if (here == null || !drone.state().airborne()) {
+        if (here == null || !drone.state().airborne() || drone.step() == FlightIntent.Step.LIE) {
             return List.of();
         }
         if (drone.isLost()) {
@@ -59,6 +59,7 @@ final class TrackForecast {
                         : List.of(mission(drone, here));
             case STAND -> stands(drone, here, late);
             case COME_HOME -> comesHome(drone, here, intent);
+            case LIE -> List.of();
         };
     }
 

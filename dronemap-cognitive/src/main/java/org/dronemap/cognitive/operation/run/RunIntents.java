@@ -46,6 +46,7 @@ final class RunIntents {
             case HOLDING, REPLACING, RESUMING -> Optional.of(FlightIntent.Step.STAND);
             case CONTINUING -> Optional.of(FlightIntent.Step.GO_ON);
             case RETURNING -> Optional.of(FlightIntent.Step.COME_HOME);
+            case CRASHED, GONE -> Optional.of(FlightIntent.Step.LIE);
             default -> Optional.empty();
         };
     }

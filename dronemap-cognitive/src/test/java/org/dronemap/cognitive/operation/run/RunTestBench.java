@@ -258,7 +258,9 @@ final class RunTestBench {
         for (OperationObservation.ObservedDrone seen : scene().drones()) {
             DroneId id = seen.state().id();
             boolean held = seen.whyNotCommandable() == null;
-            FlightIntent intent = held ? intents.get(id) : null;
+            FlightIntent meant = intents.get(id);
+            boolean lies = meant != null && meant.step() == FlightIntent.Step.LIE;
+            FlightIntent intent = held || lies ? meant : null;
             boolean silent = seen.state().link().state() == LinkState.LOST;
             drones.add(new TrackedDrone(
                     seen.state(),
