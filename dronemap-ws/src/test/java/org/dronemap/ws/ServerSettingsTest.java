@@ -9,11 +9,11 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.HashMap;
 import java.util.Map;
-import org.dronemap.cognitive.follow.FollowSeparation;
 import org.dronemap.core.access.AccountState;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.history.HistoryPolicy;
 import org.dronemap.core.recording.RecordingPolicy;
+import org.dronemap.core.separation.Separation;
 import org.dronemap.ws.budget.WorkKind;
 import org.dronemap.ws.environment.SetupException;
 import org.dronemap.ws.security.oidc.OidcSettings;
@@ -116,12 +116,12 @@ class ServerSettingsTest {
 
     @Test
     void keepsDronesThatFollowAsFarApartAsItIsTold() {
-        assertThat(ServerSettings.fromEnvironment(Map.of()).apart()).isEqualTo(FollowSeparation.USUAL);
+        assertThat(ServerSettings.fromEnvironment(Map.of()).apart()).isEqualTo(Separation.USUAL);
         assertThat(ServerSettings.fromEnvironment(Map.of(
-                                "DRONEMAP_FOLLOW_SEPARATION_METERS", "12.5",
-                                "DRONEMAP_FOLLOW_SEPARATION_HEIGHT_METERS", "30"))
+                                "DRONEMAP_SEPARATION_METERS", "12.5",
+                                "DRONEMAP_SEPARATION_HEIGHT_METERS", "30"))
                         .apart())
-                .isEqualTo(new FollowSeparation(12.5, 30));
+                .isEqualTo(new Separation(12.5, 30));
     }
 
     @Test
@@ -155,9 +155,9 @@ class ServerSettingsTest {
         "DRONEMAP_SLOW_CLIENT_SECONDS, 301, 'from 1 to 300'",
         "DRONEMAP_OIDC_ISSUER, http://login.example.org, 'https://login.example.org'",
         "DRONEMAP_OIDC_ISSUER, https://login.example.org, DRONEMAP_OIDC_ADDRESS",
-        "DRONEMAP_FOLLOW_SEPARATION_METERS, 7.9, '8 to 50 metres, not \"7.9\"'",
-        "DRONEMAP_FOLLOW_SEPARATION_METERS, NaN, '8 to 50 metres'",
-        "DRONEMAP_FOLLOW_SEPARATION_HEIGHT_METERS, 31, '3 to 30 metres, not \"31\"'",
+        "DRONEMAP_SEPARATION_METERS, 7.9, '8 to 50 metres, not \"7.9\"'",
+        "DRONEMAP_SEPARATION_METERS, NaN, '8 to 50 metres'",
+        "DRONEMAP_SEPARATION_HEIGHT_METERS, 31, '3 to 30 metres, not \"31\"'",
         "DRONEMAP_STREAM_PORT, 8080, 8080"
     })
     void namesTheSettingAndTheValueThatAreWrong(String name, String value, String named) {

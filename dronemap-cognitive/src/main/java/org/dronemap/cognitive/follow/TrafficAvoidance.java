@@ -3,6 +3,7 @@ package org.dronemap.cognitive.follow;
 import java.util.List;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
+import org.dronemap.core.separation.Separation;
 
 /**
  * Changes the velocity of a following drone so that it keeps apart from the other drones in the air. The nearer it is,
@@ -100,7 +101,7 @@ public final class TrafficAvoidance {
     }
 
     /** As they are by now. */
-    public static TrafficAvoidance of(LocalPlane plane, List<ReportedDrone> all, FollowSeparation apart) {
+    public static TrafficAvoidance of(LocalPlane plane, List<ReportedDrone> all, Separation apart) {
         List<Neighbor> neighbors = all.stream()
                 .map(heard -> {
                     DroneFix one = heard.there();
@@ -113,7 +114,7 @@ public final class TrafficAvoidance {
                 })
                 .toList();
         return new TrafficAvoidance(
-                neighbors, apart.groundMeters() + WANDER_METERS, apart.heightMeters() + WANDER_METERS / 2);
+                neighbors, apart.horizontalMeters() + WANDER_METERS, apart.verticalMeters() + WANDER_METERS / 2);
     }
 
     /** The nearest to that speed by which it keeps apart, if it may be at any of these spots at that height. */

@@ -8,9 +8,9 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.PlanningProblem;
-import org.dronemap.cognitive.problem.Separation;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.LocalPlane;
+import org.dronemap.core.separation.Separation;
 
 /**
  * Finds the conflicts between a plan's drones in the air, in time steps so short that none is missed. Drones on the

@@ -1,5 +1,6 @@
 package org.dronemap.cognitive.problem;
 
+import org.dronemap.core.separation.Separation;
 import org.dronemap.core.stored.Stored;
 
 /**

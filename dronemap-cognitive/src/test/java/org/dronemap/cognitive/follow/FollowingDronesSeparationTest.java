@@ -2,23 +2,24 @@ package org.dronemap.cognitive.follow;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.dronemap.core.separation.Separation;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Simulated copters that follow at the same height come no closer to each other than they may. */
 class FollowingDronesSeparationTest {
-    private static final FollowSeparation USUAL = FollowSeparation.USUAL;
+    private static final Separation USUAL = Separation.USUAL;
 
     @Test
     void keepsThreeRoundOneTargetApart() {
         MultiFollowTrial swarm = MultiFollowTrial.three(USUAL, 1, false);
-        assertThat(swarm.fly(60)).isGreaterThan(USUAL.groundMeters());
+        assertThat(swarm.fly(60)).isGreaterThan(USUAL.horizontalMeters());
         assertThat(swarm.fromTargets(60)).isLessThan(20);
     }
 
     @Test
     void keepsThreeApartThatWantToBeAtOnePlace() {
-        assertThat(MultiFollowTrial.three(USUAL, 2, true).fly(45)).isGreaterThan(USUAL.groundMeters());
+        assertThat(MultiFollowTrial.three(USUAL, 2, true).fly(45)).isGreaterThan(USUAL.horizontalMeters());
         assertThat(MultiFollowTrial.three(null, 2, true).fly(45))
                 .as("nobody looking out")
                 .isLessThan(5);
@@ -26,13 +27,13 @@ class FollowingDronesSeparationTest {
 
     @Test
     void keepsTenFollowsApart() {
-        assertThat(MultiFollowTrial.ten(USUAL, 1).fly(60)).isGreaterThan(USUAL.groundMeters());
+        assertThat(MultiFollowTrial.ten(USUAL, 1).fly(60)).isGreaterThan(USUAL.horizontalMeters());
     }
 
     @Test
     void keepsThemAsFarApartAsIsSet() {
-        FollowSeparation wide = new FollowSeparation(20, 8);
-        assertThat(MultiFollowTrial.ten(wide, 1).fly(40)).isGreaterThan(wide.groundMeters());
+        Separation wide = new Separation(20, 8);
+        assertThat(MultiFollowTrial.ten(wide, 1).fly(40)).isGreaterThan(wide.horizontalMeters());
     }
 
     @Test
@@ -42,7 +43,7 @@ class FollowingDronesSeparationTest {
                 MultiFollowTrial swarm = MultiFollowTrial.passed(aside, 190, speed, 1);
                 assertThat(swarm.fly(25 + 400 / speed))
                         .as("at %.0f m/s, %.0f m to its right", speed, -aside)
-                        .isGreaterThan(USUAL.groundMeters());
+                        .isGreaterThan(USUAL.horizontalMeters());
                 assertThat(swarm.farthest())
                         .as("from its target, %.0f m/s, %.0f m", speed, -aside)
                         .isLessThan(30);
@@ -53,8 +54,8 @@ class FollowingDronesSeparationTest {
     @Test
     @Tag("soak")
     void keepsManyFollowsApart() {
-        for (double meters : new double[] {FollowSeparation.LEAST_GROUND_METERS, 10, 20}) {
-            RandomFollowStudy.Summary tally = RandomFollowStudy.swarms(0, 60, new FollowSeparation(meters, 5));
+        for (double meters : new double[] {Separation.LEAST_HORIZONTAL_METERS, 10, 20}) {
+            RandomFollowStudy.Summary tally = RandomFollowStudy.swarms(0, 60, new Separation(meters, 5));
             assertThat(tally.failed()).as("closer than %.0f m", meters).isEmpty();
         }
     }

@@ -8,6 +8,7 @@ import java.util.SplittableRandom;
 import java.util.stream.Collectors;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
+import org.dronemap.core.separation.Separation;
 import org.jspecify.annotations.Nullable;
 
 /** Several drones follow at once, each its target, over one poor network, and keep apart by what the cloud hears of them. */
@@ -21,7 +22,7 @@ final class MultiFollowTrial {
     private static final int SAMPLE_MILLIS = 50;
 
     private final List<Follower> followers = new ArrayList<>();
-    private final @Nullable FollowSeparation apart;
+    private final @Nullable Separation apart;
     private final SplittableRandom random;
     private final double meters;
     private double lowest = Double.POSITIVE_INFINITY;
@@ -29,7 +30,7 @@ final class MultiFollowTrial {
     private @Nullable CrossingDrone passer;
 
     /** {@code apart}: what is to be kept; null: nobody looks out for others. */
-    private MultiFollowTrial(@Nullable FollowSeparation apart, SplittableRandom random) {
+    private MultiFollowTrial(@Nullable Separation apart, SplittableRandom random) {
         this.apart = apart;
         this.random = random;
         // Where there is little room below them they evade each other all the same.
@@ -37,7 +38,7 @@ final class MultiFollowTrial {
     }
 
     /** Three round one target, from different sides or all behind it; where they stand is on its way. */
-    static MultiFollowTrial three(@Nullable FollowSeparation apart, long seed, boolean sameSide) {
+    static MultiFollowTrial three(@Nullable Separation apart, long seed, boolean sameSide) {
         MultiFollowTrial swarm = new MultiFollowTrial(apart, new SplittableRandom(seed));
         double stands = 3 * widest(apart);
         for (int drone = 0; drone < 3; drone++) {
@@ -48,7 +49,7 @@ final class MultiFollowTrial {
     }
 
     /** Ten targets that begin in a ring and go wherever they like, across each other. */
-    static MultiFollowTrial ten(@Nullable FollowSeparation apart, long seed) {
+    static MultiFollowTrial ten(@Nullable Separation apart, long seed) {
         SplittableRandom random = new SplittableRandom(seed);
         MultiFollowTrial swarm = new MultiFollowTrial(apart, random);
         double ring = 4 * widest(apart);
@@ -63,7 +64,7 @@ final class MultiFollowTrial {
 
     /** One whose target stands still, and one more that is led by nobody and flies past, from the south at that speed. */
     static MultiFollowTrial passed(double metersAside, double metersAway, double speed, long seed) {
-        MultiFollowTrial swarm = new MultiFollowTrial(FollowSeparation.USUAL, new SplittableRandom(seed));
+        MultiFollowTrial swarm = new MultiFollowTrial(Separation.USUAL, new SplittableRandom(seed));
         List<double[]> stands = List.of(new double[] {0, 0, 0}, new double[] {300, 0, 0});
         swarm.add(
                 TargetPath.recorded("stands", stands),
@@ -76,7 +77,7 @@ final class MultiFollowTrial {
 
     /** One whose target stands still, and one that is led past it to a target 150 m farther north. */
     static MultiFollowTrial crossed(double metersAside, long seed) {
-        MultiFollowTrial swarm = new MultiFollowTrial(FollowSeparation.USUAL, new SplittableRandom(seed));
+        MultiFollowTrial swarm = new MultiFollowTrial(Separation.USUAL, new SplittableRandom(seed));
         List<double[]> stands = List.of(new double[] {0, 0, 0}, new double[] {300, 0, 0});
         swarm.add(
                 TargetPath.recorded("stands", stands),
@@ -110,8 +111,8 @@ final class MultiFollowTrial {
     }
 
     /** They begin no nearer than they are to stay. */
-    private static double widest(@Nullable FollowSeparation apart) {
-        return Math.max(10, apart == null ? 0 : apart.groundMeters());
+    private static double widest(@Nullable Separation apart) {
+        return Math.max(10, apart == null ? 0 : apart.horizontalMeters());
     }
 
     /** One drone and whom it follows, from a stand of its own. */
@@ -232,7 +233,7 @@ final class MultiFollowTrial {
 
     private double nearest(double now) {
         double least = Double.POSITIVE_INFINITY;
-        double level = apart == null ? FollowSeparation.USUAL.heightMeters() : apart.heightMeters();
+        double level = apart == null ? Separation.USUAL.verticalMeters() : apart.verticalMeters();
         List<DroneFix> real = followers.stream()
                 .map(one -> one.drone.whereabouts(at(now)))
                 .collect(Collectors.toCollection(ArrayList::new));

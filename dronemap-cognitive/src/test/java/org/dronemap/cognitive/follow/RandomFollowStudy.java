@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongFunction;
 import java.util.stream.LongStream;
+import org.dronemap.core.separation.Separation;
 
 /**
  * {@code FIRST COUNT SWARMS METERS HEIGHT}: flies so many random follows near fences from that seed on, on all cores, and so many
@@ -33,7 +34,7 @@ public final class RandomFollowStudy {
         long first = Long.parseLong(words[0]);
         int count = Integer.parseInt(words[1]);
         int swarms = Integer.parseInt(words[2]);
-        FollowSeparation apart = new FollowSeparation(Double.parseDouble(words[3]), Double.parseDouble(words[4]));
+        Separation apart = new Separation(Double.parseDouble(words[3]), Double.parseDouble(words[4]));
         List<Summary> tallies = new ArrayList<>();
         tallies.add(fenced(first, count));
         tell(System.out, "random follows near fences", tallies.get(0));
@@ -43,8 +44,8 @@ public final class RandomFollowStudy {
                 String.format(
                         Locale.ROOT,
                         "times three on one target and ten at once, %.1f m or %.1f m in height apart",
-                        apart.groundMeters(),
-                        apart.heightMeters()),
+                        apart.horizontalMeters(),
+                        apart.verticalMeters()),
                 tallies.get(1));
         System.exit(tallies.stream().allMatch(tally -> tally.failed().isEmpty()) ? 0 : 1);
     }
@@ -58,7 +59,7 @@ public final class RandomFollowStudy {
     }
 
     /** Three on one target and ten at once; what is told is how much more than is to be kept they were apart. */
-    static Summary swarms(long first, int count, FollowSeparation apart) {
+    static Summary swarms(long first, int count, Separation apart) {
         return tally(
                 first,
                 count,
@@ -67,8 +68,8 @@ public final class RandomFollowStudy {
                     MultiFollowTrial three = MultiFollowTrial.three(apart, seed, seed % 2 == 0);
                     MultiFollowTrial ten = MultiFollowTrial.ten(apart, seed);
                     return List.of(
-                            three.fly(THREE_SECONDS) - apart.groundMeters(),
-                            ten.fly(TEN_SECONDS) - apart.groundMeters(),
+                            three.fly(THREE_SECONDS) - apart.horizontalMeters(),
+                            ten.fly(TEN_SECONDS) - apart.horizontalMeters(),
                             Math.min(three.lowest(), ten.lowest()) - FollowTrial.LOWEST_METERS);
                 });
     }

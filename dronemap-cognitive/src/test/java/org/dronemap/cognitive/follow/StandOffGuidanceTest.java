@@ -9,6 +9,7 @@ import java.util.List;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
+import org.dronemap.core.separation.Separation;
 import org.junit.jupiter.api.Test;
 
 /** Where a drone is led beside its target, and where it never is. */
@@ -163,7 +164,7 @@ class StandOffGuidanceTest {
         StandOffGuidance.Environment crowded = new StandOffGuidance.Environment(
                 FlyableArea.EVERYWHERE,
                 TrafficAvoidance.of(
-                        PLANE, List.of(new TrafficAvoidance.ReportedDrone(comes, 0, true)), FollowSeparation.USUAL));
+                        PLANE, List.of(new TrafficAvoidance.ReportedDrone(comes, 0, true)), Separation.USUAL));
         GuidanceSetpoint aim = led(beside(new StandOffSide.Fixed(0)), LIMITS, crowded, true);
         assertThat(aim.doing()).isEqualTo(GuidanceSetpoint.Phase.CLIMBING);
         boolean heard = false;
@@ -194,7 +195,7 @@ class StandOffGuidanceTest {
         drone = at(new PlanePoint(0, 10), low);
         TrafficAvoidance.ReportedDrone there =
                 new TrafficAvoidance.ReportedDrone(at(new PlanePoint(2, 10), low + 1), 0, true);
-        TrafficAvoidance above = TrafficAvoidance.of(PLANE, List.of(there), FollowSeparation.USUAL);
+        TrafficAvoidance above = TrafficAvoidance.of(PLANE, List.of(there), Separation.USUAL);
         double lowest = low;
         for (int step = 0; step < 100; step++) {
             now += STEP;

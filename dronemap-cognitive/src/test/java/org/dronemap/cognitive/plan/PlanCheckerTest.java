@@ -27,6 +27,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceArea;
+import org.dronemap.core.separation.Separation;
 import org.dronemap.core.zone.AltitudeBand;
 import org.junit.jupiter.api.Test;
 
@@ -77,8 +78,7 @@ class PlanCheckerTest {
         // far apart in height or not: keeping drones apart is not what is looked at here
         return PlanningProblem.of(waypoints, List.of(one, two))
                 .with(new UniformWind(random.nextDouble(4), random.nextDouble(360)))
-                .with(new org.dronemap.cognitive.problem.PlanningRules(
-                        new org.dronemap.cognitive.problem.Separation(0, 0), 0.5, 3, 5));
+                .with(new org.dronemap.cognitive.problem.PlanningRules(new Separation(0, 0), 0.5, 3, 5));
     }
 
     private static Place anyPlace(SplittableRandom random) {

@@ -14,6 +14,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.FenceArea;
+import org.dronemap.core.separation.Separation;
 import org.dronemap.core.zone.AltitudeBand;
 import org.junit.jupiter.api.Test;
 

@@ -54,7 +54,10 @@ final class GroundVelocityTracker {
         }
         PlanePoint way = LocalPlane.offset(before.point(), point);
         GroundVelocity velocity = new GroundVelocity(way.eastMeters() / seconds, way.northMeters() / seconds);
-        boolean flies = drone.capabilities().steering(drone.mode()).filter(by -> by == Steering.MISSION).isPresent();
+        boolean flies = drone.capabilities()
+                .steering(drone.mode())
+                .filter(by -> by == Steering.MISSION)
+                .isPresent();
         double fastest = flies ? Math.max(before.fastest(), velocity.speed()) : before.fastest();
         return new Movement(drone.lastUpdate(), point, velocity, fastest);
     }

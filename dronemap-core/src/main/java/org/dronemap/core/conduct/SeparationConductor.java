@@ -60,7 +60,6 @@ public final class SeparationConductor implements AutoCloseable {
     /** Of which it was found out once whether they stood for others before the process began. */
     private final Set<DroneId> examined = new HashSet<>();
 
-
     /** {@code least}: what is kept between any two drones. */
     public SeparationConductor(CloudManager cloud, SeparationBoard board, Separation least, Time time) {
         this.cloud = cloud;
@@ -113,8 +112,8 @@ public final class SeparationConductor implements AutoCloseable {
         }
         velocities.retainOnly(seen);
         restore(drones, now);
-        AirspacePicture picture = new AirspacePicture(
-                now, drones, least, (drone, goTo) -> mayGo(holders.get(drone.id()), drone, goTo));
+        AirspacePicture picture =
+                new AirspacePicture(now, drones, least, (drone, goTo) -> mayGo(holders.get(drone.id()), drone, goTo));
         SeparationDecision decision = SeparationGuard.decide(picture, yielding);
         yielding = decision.yielding();
         board.publish(decision.giveWays());
@@ -123,9 +122,7 @@ public final class SeparationConductor implements AutoCloseable {
 
     private TrackedDrone tracked(
             DroneState state, @Nullable FlightIntent intent, LeaseHolder.@Nullable Operation holder) {
-        Handling handling = holder == null
-                ? Handling.FOREIGN
-                : intent == null ? Handling.STEERED : Handling.COMMANDED;
+        Handling handling = holder == null ? Handling.FOREIGN : intent == null ? Handling.STEERED : Handling.COMMANDED;
         boolean counts = holder != null || (intent != null && intent.step() == FlightIntent.Step.LIE);
         return new TrackedDrone(
                 state,

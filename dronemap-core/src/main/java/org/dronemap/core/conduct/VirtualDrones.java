@@ -100,7 +100,8 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
         this.clock = time.clock();
         this.thread = new ExecutionThread(time, "conductor");
         DroneGateway crew = new DroneGateway(cloud, FACE);
-        this.runs = new VirtualRunExecutor(cloud, book, crew, new VirtualRunExecutor.Context(machine, rights, board, time));
+        this.runs =
+                new VirtualRunExecutor(cloud, book, crew, new VirtualRunExecutor.Context(machine, rights, board, time));
         this.recalls = new LostDroneRecall(cloud, book, new ReturnCommander(crew, time));
     }
 

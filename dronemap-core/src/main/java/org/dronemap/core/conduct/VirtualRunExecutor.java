@@ -28,8 +28,8 @@ import org.dronemap.core.virtual.ServiceDemand;
 import org.dronemap.core.virtual.UnfitCode;
 import org.dronemap.core.virtual.UnfitReason;
 import org.dronemap.core.virtual.VirtualDrone;
-import org.dronemap.core.virtual.VirtualFlightIntent;
 import org.dronemap.core.virtual.VirtualDroneId;
+import org.dronemap.core.virtual.VirtualFlightIntent;
 import org.dronemap.core.virtual.VirtualRun;
 import org.dronemap.core.virtual.VirtualRunAssignment;
 import org.dronemap.core.virtual.VirtualRunMachine;
@@ -190,8 +190,7 @@ final class VirtualRunExecutor {
             VirtualRun run = drone.run();
             VirtualRunAssignment assignment = run == null ? null : run.assignment();
             if (run != null && assignment != null) {
-                VirtualFlightIntent.of(run, assignment)
-                        .ifPresent(intent -> intents.put(assignment.drone(), intent));
+                VirtualFlightIntent.of(run, assignment).ifPresent(intent -> intents.put(assignment.drone(), intent));
             }
         }
         board.intend(VirtualDrones.FACE, intents);

@@ -38,8 +38,10 @@ final class DepartureGuard {
 
     void check() {
         // Who has set off already comes first.
-        round.picture.drones().stream().filter(DepartureGuard::rises).forEach(drone -> departing.put(
-                drone.id(), round.far.here(drone) == null ? List.of() : List.of(fromTheGround(drone))));
+        round.picture.drones().stream()
+                .filter(DepartureGuard::rises)
+                .forEach(drone -> departing.put(
+                        drone.id(), round.far.here(drone) == null ? List.of() : List.of(fromTheGround(drone))));
         round.picture.drones().stream()
                 .filter(drone -> drone.step() == FlightIntent.Step.RISE && !rises(drone))
                 .forEach(this::checkTakeOff);
@@ -132,8 +134,7 @@ final class DepartureGuard {
     }
 
     private Stream<TrackedDrone> others(TrackedDrone drone) {
-        return round.picture.drones().stream()
-                .filter(other -> !other.id().equals(drone.id()));
+        return round.picture.drones().stream().filter(other -> !other.id().equals(drone.id()));
     }
 
     private static boolean rolls(TrackedDrone drone) {
@@ -191,8 +192,7 @@ final class DepartureGuard {
             String words = "climbs to come home over those who do not pass";
             round.command(
                     drone,
-                    new GiveWay(
-                            own.to(), own.give().toName(), GiveWay.Manner.MOVE, round.picture.now(), false, words),
+                    new GiveWay(own.to(), own.give().toName(), GiveWay.Manner.MOVE, round.picture.now(), false, words),
                     OVER_SECONDS,
                     round.goTo(higher),
                     drone.name() + " " + words + ".");

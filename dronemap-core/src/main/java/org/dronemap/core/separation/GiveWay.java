@@ -16,7 +16,12 @@ import org.jspecify.annotations.Nullable;
  */
 @Stored(names = "to toName manner since clear words")
 public record GiveWay(
-        DroneId to, String toName, Manner manner, Instant since, boolean clear, @Nullable String words) {
+        DroneId to,
+        String toName,
+        Manner manner,
+        Instant since,
+        boolean clear,
+        @Nullable String words) {
     /** How it gives way. */
     @Stored(names = "WAIT STOP MOVE")
     public enum Manner {

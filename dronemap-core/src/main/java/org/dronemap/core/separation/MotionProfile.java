@@ -1,6 +1,5 @@
 package org.dronemap.core.separation;
 
-
 /**
  * Speed profile of a straight leg that ends at rest: how far along it a drone is at each time. Speeds in m/s,
  * metres, seconds.

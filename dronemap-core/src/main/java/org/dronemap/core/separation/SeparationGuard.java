@@ -71,17 +71,15 @@ public final class SeparationGuard {
     }
 
     /** One of the two that is on its mission, or on its way home, stands until the other one has passed, where that helps. */
-    private boolean waits(
-            TrackedDrone one, List<Track> mine, TrackedDrone other, List<Track> yours, boolean homeward) {
+    private boolean waits(TrackedDrone one, List<Track> mine, TrackedDrone other, List<Track> yours, boolean homeward) {
         if (other.comesDown() == homeward
                 && mayHold(other)
                 && !round.isConflict(mine, SeparationRound.stopping(yours))) {
             hold(other, one);
             return true;
         }
-        boolean first = one.comesDown() == homeward
-                && mayHold(one)
-                && !round.isConflict(SeparationRound.stopping(mine), yours);
+        boolean first =
+                one.comesDown() == homeward && mayHold(one) && !round.isConflict(SeparationRound.stopping(mine), yours);
         if (first) {
             hold(one, other);
         }
@@ -161,7 +159,8 @@ public final class SeparationGuard {
 
     private static boolean isOnMission(TrackedDrone drone) {
         FlightIntent.@Nullable Step step = drone.step();
-        return drone.isOnMission() && (step == null || step == FlightIntent.Step.FLY || step == FlightIntent.Step.GO_ON);
+        return drone.isOnMission()
+                && (step == null || step == FlightIntent.Step.FLY || step == FlightIntent.Step.GO_ON);
     }
 
     /** It flies its mission or waits in the air, is ours, and is on no way out already. */

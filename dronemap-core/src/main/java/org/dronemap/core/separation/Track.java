@@ -95,8 +95,7 @@ record Track(List<TrackSample> samples) {
         double eastward = myNext.spot().eastMeters() - yourNext.spot().eastMeters() - east;
         double northward = myNext.spot().northMeters() - yourNext.spot().northMeters() - north;
         double squared = eastward * eastward + northward * northward;
-        double share =
-                squared == 0 ? 0 : Math.max(0, Math.min(1, -(east * eastward + north * northward) / squared));
+        double share = squared == 0 ? 0 : Math.max(0, Math.min(1, -(east * eastward + north * northward) / squared));
         return Math.hypot(east + share * eastward, north + share * northward);
     }
 

@@ -84,8 +84,8 @@ final class TrackBuilder {
     private static TrackSample between(TrackSample from, TrackSample there, double share) {
         double east = there.spot().eastMeters() - from.spot().eastMeters();
         double north = there.spot().northMeters() - from.spot().northMeters();
-        PlanePoint spot =
-                new PlanePoint(from.spot().eastMeters() + share * east, from.spot().northMeters() + share * north);
+        PlanePoint spot = new PlanePoint(
+                from.spot().eastMeters() + share * east, from.spot().northMeters() + share * north);
         boolean straightUp = Math.hypot(east, north) < STRAIGHT_UP_METERS;
         return straightUp
                 ? new TrackSample(spot, from.low() + share * (there.low() - from.low()))

@@ -54,9 +54,7 @@ final class TrackForecast {
         return switch (intent.step()) {
             case RISE, FLY -> drone.isOnMission() ? List.of(flying(drone, here)) : byItself(drone, here);
             case GO_ON ->
-                late && drone.waits()
-                        ? List.of(mission(drone, here), standing(here))
-                        : List.of(mission(drone, here));
+                late && drone.waits() ? List.of(mission(drone, here), standing(here)) : List.of(mission(drone, here));
             case STAND -> stands(drone, here, late);
             case COME_HOME -> comesHome(drone, here, intent);
             case LIE -> List.of();
@@ -90,10 +88,7 @@ final class TrackForecast {
             case SAFETY -> List.of(homeward(drone, here), down(drone, here));
             case MISSION -> List.of(flying(drone, here));
             case STICKS -> freely(drone, here);
-            case ORDERS, STANDS ->
-                drone.handling() == Handling.COMMANDED
-                        ? moving(drone, here)
-                        : freely(drone, here);
+            case ORDERS, STANDS -> drone.handling() == Handling.COMMANDED ? moving(drone, here) : freely(drone, here);
         };
     }
 
@@ -153,7 +148,8 @@ final class TrackForecast {
                 case TAKE_OFF -> {
                     double top = ((MissionItem.TakeOff) item).altitudeMeters();
                     double home = drone.homeAmslMeters().orElse(walk.last().low());
-                    walk.to(new TrackSample(walk.last().spot(), Math.max(walk.last().high(), home + top)));
+                    walk.to(new TrackSample(
+                            walk.last().spot(), Math.max(walk.last().high(), home + top)));
                 }
                 case WAIT -> walk.waitFor(((MissionItem.Wait) item).seconds());
                 case LAND -> land(walk, drone, ((MissionItem.Land) item).place());
@@ -203,8 +199,8 @@ final class TrackForecast {
         }
         PlanePoint there = plane.spot(home.point());
         ReturnHeight set = drone.state().returnHeight();
-        double height = Math.max(
-                walk.last().high(), home.altitudeAmslMeters() + (set == null ? RETURN_METERS : set.meters()));
+        double height =
+                Math.max(walk.last().high(), home.altitudeAmslMeters() + (set == null ? RETURN_METERS : set.meters()));
         if (walk.last().spot().distanceMeters(there) >= 2) {
             walk.to(new TrackSample(walk.last().spot(), height));
             walk.to(new TrackSample(there, height));
@@ -226,8 +222,7 @@ final class TrackForecast {
     Track aside(TrackedDrone drone, TrackSample from, TrackSample to) {
         Track first = drone.isOnMission() ? flying(drone, from).stopping(STRIDES_TO_STAND) : standing(from);
         List<TrackSample> samples = new ArrayList<>(first.samples().subList(0, STRIDES_TO_STAND));
-        TrackBuilder walk =
-                new TrackBuilder(pace(drone), strides, samples.get(samples.size() - 1), 0, 0);
+        TrackBuilder walk = new TrackBuilder(pace(drone), strides, samples.get(samples.size() - 1), 0, 0);
         walk.to(to);
         samples.addAll(walk.track().samples());
         return new Track(samples.subList(0, strides + 1));

@@ -31,8 +31,7 @@ final class VirtualGivingWay {
         if (give.manner() == GiveWay.Manner.WAIT) {
             boolean onTheGround = run.stage() == ARMING && !Boolean.TRUE.equals(drone.armed());
             return onTheGround
-                    ? Optional.of(VirtualRunStep.unchanged(
-                            run.withNote(ON_THE_GROUND, sight.now())))
+                    ? Optional.of(VirtualRunStep.unchanged(run.withNote(ON_THE_GROUND, sight.now())))
                     : Optional.empty();
         }
         boolean stands = drone.capabilities()
@@ -56,8 +55,6 @@ final class VirtualGivingWay {
     }
 
     private static Command onward(VirtualRun run, DroneState drone) {
-        return run.stage() == FLYING
-                ? new Command.StartMission(run.onCloudLoss())
-                : VirtualRunMachine.homeward(drone);
+        return run.stage() == FLYING ? new Command.StartMission(run.onCloudLoss()) : VirtualRunMachine.homeward(drone);
     }
 }

@@ -11,12 +11,12 @@ import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Objective;
 import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.cognitive.problem.PlanningRules;
-import org.dronemap.cognitive.problem.Separation;
 import org.dronemap.cognitive.problem.UniformWind;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.separation.Separation;
 import org.dronemap.core.virtual.DroneSelection;
 import org.dronemap.core.zone.ZoneRegistry;
 import org.dronemap.ws.drone.DroneService;
@@ -41,9 +41,8 @@ final class PlanReader {
     static final int FULL_CIRCLE = 360;
 
     private static final double MILLIS = 1_000;
-    /** Profiles of speed are not known to the metre, so more room than must be kept is asked for. */
     private static final PlanningRules RULES =
-            new PlanningRules(new Separation(15, 5), 1 - DroneSelection.WORST_LOSS_PERCENT / 100.0, 3, 5);
+            new PlanningRules(Separation.USUAL.aimedFor(), 1 - DroneSelection.WORST_LOSS_PERCENT / 100.0, 3, 5);
 
     private final DroneService drones;
     private final ZoneRegistry zones;

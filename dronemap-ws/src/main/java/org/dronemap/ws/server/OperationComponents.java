@@ -1,7 +1,6 @@
 package org.dronemap.ws.server;
 
 import java.util.List;
-import org.dronemap.cognitive.follow.FollowSeparation;
 import org.dronemap.cognitive.operation.follow.FollowInput;
 import org.dronemap.cognitive.operation.follow.FollowOperation;
 import org.dronemap.cognitive.operation.follow.FollowState;
@@ -13,6 +12,7 @@ import org.dronemap.core.conduct.OperationRights;
 import org.dronemap.core.conduct.Operations;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.OperationStore;
+import org.dronemap.core.separation.Separation;
 import org.dronemap.core.separation.SeparationBoard;
 import org.dronemap.core.time.Time;
 import org.dronemap.ws.journal.FollowJournalCodec;
@@ -34,7 +34,7 @@ public record OperationComponents(
             CloudManager cloud,
             OperationStore store,
             OperationRights rights,
-            FollowSeparation apart,
+            Separation apart,
             SeparationBoard board,
             Time time) {
         OperationKind<RunState, RunInput> kind =

@@ -30,7 +30,6 @@ import org.dronemap.core.history.TelemetryStore;
 import org.dronemap.core.link.EndpointStore;
 import org.dronemap.core.link.SavedEndpoint;
 import org.dronemap.core.process.ProcessStart;
-import org.dronemap.core.separation.Separation;
 import org.dronemap.core.separation.SeparationBoard;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.VirtualRunMachine;
@@ -138,7 +137,8 @@ public final class ServerBuilder {
                 runs,
                 audit,
                 new Argon2Passwords(),
-                new MonitoredParts(lanes, journal, virtuals, runs.operations(), separation, links.links(), robotSide).all(),
+                new MonitoredParts(lanes, journal, virtuals, runs.operations(), separation, links.links(), robotSide)
+                        .all(),
                 beginning);
     }
 
@@ -221,9 +221,8 @@ public final class ServerBuilder {
 
     /** Before anybody conducts anything: who gives way to whom is known before drones are judged by it. */
     private SeparationConductor separation(CloudManager cloud) {
-        Separation least = new Separation(
-                settings.apart().groundMeters(), settings.apart().heightMeters());
-        SeparationConductor separation = new SeparationConductor(cloud, board, least, time);
+        SeparationConductor separation =
+                new SeparationConductor(cloud, board, settings.apart().aimedFor(), time);
         separation.start();
         closing.add("the separation of drones", separation);
         return separation;
@@ -252,7 +251,8 @@ public final class ServerBuilder {
     /** As for virtual drones. */
     private OperationComponents runs(CloudManager cloud, Stores stores, GrantRegistry grants) {
         OwnerRightsCache owners = new OwnerRightsCache(stores.access(), grants, time);
-        OperationComponents runs = OperationComponents.of(cloud, stores.operations(), owners, settings.apart(), board, time);
+        OperationComponents runs =
+                OperationComponents.of(cloud, stores.operations(), owners, settings.apart(), board, time);
         if (beginning.precautions().isActive()) {
             runs.operations().setAside(SET_ASIDE);
         } else {

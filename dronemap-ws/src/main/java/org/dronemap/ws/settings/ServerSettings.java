@@ -7,11 +7,11 @@ import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import org.dronemap.cognitive.follow.FollowSeparation;
 import org.dronemap.core.cloud.lane.Watchdog;
 import org.dronemap.core.history.HistoryPolicy;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.recording.RecordingPolicy;
+import org.dronemap.core.separation.Separation;
 import org.dronemap.proxy.session.Enrolment;
 import org.dronemap.ws.budget.BudgetRates;
 import org.dronemap.ws.environment.SetupException;
@@ -67,7 +67,7 @@ public record ServerSettings(
         Protection protection,
         @Nullable OidcSettings oidc,
         Duration virtualSilence,
-        FollowSeparation apart,
+        Separation apart,
         boolean originalAddresses) {
 
     private static final int DEFAULT_HTTP_PORT = 8080;
@@ -156,7 +156,7 @@ public record ServerSettings(
                 ProtectionSettingsReader.of(environment),
                 OidcSettingsReader.of(environment),
                 ControlSettingsReader.virtualSilence(environment),
-                FollowSettingsReader.apart(environment),
+                SeparationSettingsReader.apart(environment),
                 originalAddresses(environment, tls != null));
     }
 

@@ -10,7 +10,6 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
-import org.dronemap.cognitive.follow.FollowSeparation;
 import org.dronemap.core.access.AccessKey;
 import org.dronemap.core.access.AccessStore;
 import org.dronemap.core.access.AccountState;
@@ -43,9 +42,9 @@ import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.process.ProcessStart;
 import org.dronemap.core.recording.RecordingPolicy;
+import org.dronemap.core.separation.Separation;
 import org.dronemap.core.separation.SeparationBoard;
 import org.dronemap.core.time.RealTime;
-import org.dronemap.core.separation.SeparationBoard;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.VirtualRunMachine;
 import org.dronemap.proxy.record.Recorder;
@@ -157,7 +156,7 @@ public final class TestServer implements AutoCloseable {
         history = history();
         virtuals = virtuals();
         OwnerRightsCache rights = new OwnerRightsCache(access, grants, time);
-        runs = OperationComponents.of(cloud, stores.operations, rights, FollowSeparation.USUAL, new SeparationBoard(), time);
+        runs = OperationComponents.of(cloud, stores.operations, rights, Separation.USUAL, new SeparationBoard(), time);
         runs.operations().restore();
         runs.operations().goOn();
         ServerComponents house = new ServerComponents(
@@ -261,7 +260,7 @@ public final class TestServer implements AutoCloseable {
                 choices.protection(),
                 choices.oidc(),
                 VirtualRunMachine.USUAL_SILENCE,
-                FollowSeparation.USUAL,
+                Separation.USUAL,
                 false);
     }
 

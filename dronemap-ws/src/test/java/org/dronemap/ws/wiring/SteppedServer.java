@@ -2,13 +2,13 @@ package org.dronemap.ws.wiring;
 
 import java.nio.file.Path;
 import java.util.List;
-import org.dronemap.cognitive.follow.FollowSeparation;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.lane.Watchdog;
 import org.dronemap.core.history.HistoryPolicy;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.process.ProcessStart;
 import org.dronemap.core.recording.RecordingPolicy;
+import org.dronemap.core.separation.Separation;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.VirtualRunMachine;
 import org.dronemap.proxy.endpoint.PeerHandler;
@@ -167,7 +167,7 @@ public final class SteppedServer implements AutoCloseable {
                 new ServerSettings.Protection(ClientLimits.DEFAULT, BudgetRates.UNBOUNDED),
                 null,
                 VirtualRunMachine.USUAL_SILENCE,
-                FollowSeparation.USUAL,
+                Separation.USUAL,
                 false);
     }
 

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Optional;
 import org.dronemap.cognitive.follow.DroneFix;
 import org.dronemap.cognitive.follow.FlyableArea;
-import org.dronemap.cognitive.follow.FollowSeparation;
 import org.dronemap.cognitive.follow.GuidanceLimits;
 import org.dronemap.cognitive.follow.GuidanceSetpoint;
 import org.dronemap.cognitive.follow.PlanarMotion;
@@ -27,6 +26,7 @@ import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.operation.OperationObservation;
+import org.dronemap.core.separation.Separation;
 import org.dronemap.core.zone.Zone;
 import org.jspecify.annotations.Nullable;
 
@@ -43,7 +43,7 @@ final class FollowDroneGuidance {
 
     private final TargetFilter target;
     private final Geodetic near;
-    private final FollowSeparation apart;
+    private final Separation apart;
     private final StandOffGuidance guidance;
     private final VelocityEstimates pursuits = new VelocityEstimates();
     private @Nullable StandOffGuidance homeward;
@@ -61,7 +61,7 @@ final class FollowDroneGuidance {
     }
 
     /** {@code target} belongs to the follow, and was made with {@code near}. */
-    FollowDroneGuidance(TargetFilter target, Geodetic near, FollowSeparation apart) {
+    FollowDroneGuidance(TargetFilter target, Geodetic near, Separation apart) {
         this.target = target;
         this.near = near;
         this.apart = apart;

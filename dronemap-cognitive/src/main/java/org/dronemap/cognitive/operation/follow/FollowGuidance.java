@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.dronemap.cognitive.follow.FollowSeparation;
 import org.dronemap.cognitive.follow.PhoneClockOffset;
 import org.dronemap.cognitive.follow.PhoneFix;
 import org.dronemap.cognitive.follow.TargetFilter;
@@ -18,6 +17,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.operation.OperationGuidance;
 import org.dronemap.core.operation.OperationObservation;
 import org.dronemap.core.operation.TargetReport;
+import org.dronemap.core.separation.Separation;
 
 /**
  * Tracks the phone of a follow from its reports, and computes the setpoints for all of the follow's drones. Owned by
@@ -27,11 +27,11 @@ final class FollowGuidance implements OperationGuidance<FollowState> {
     private final TargetFilter target;
     private final PhoneClockOffset clock = new PhoneClockOffset();
     private final Geodetic near;
-    private final FollowSeparation apart;
+    private final Separation apart;
     private final Map<DroneId, FollowDroneGuidance> leads = new HashMap<>();
 
     /** {@code near}: where the phone was when it asked. */
-    FollowGuidance(Geodetic near, FollowSeparation apart) {
+    FollowGuidance(Geodetic near, Separation apart) {
         this.near = near;
         this.apart = apart;
         target = new TargetFilter(near);

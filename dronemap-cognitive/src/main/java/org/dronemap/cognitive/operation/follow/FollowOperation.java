@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.dronemap.cognitive.follow.FollowSeparation;
 import org.dronemap.cognitive.operation.follow.FollowInput.Observation;
 import org.dronemap.cognitive.operation.follow.FollowInput.Observed;
 import org.dronemap.core.command.CommandId;
@@ -29,6 +28,7 @@ import org.dronemap.core.operation.OperationDecision;
 import org.dronemap.core.operation.OperationGuidance;
 import org.dronemap.core.operation.OperationObservation;
 import org.dronemap.core.operation.ReporterState;
+import org.dronemap.core.separation.Separation;
 import org.jspecify.annotations.Nullable;
 
 /** The state machine of a phone follow: turns each input into a new state and commands to drones. */
@@ -40,10 +40,10 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
     /** So little below its height a drone counts as up. */
     private static final double RISEN_METERS = 3;
 
-    private final FollowSeparation apart;
+    private final Separation apart;
 
     /** {@code apart}: what is kept from others in the air. */
-    public FollowOperation(FollowSeparation apart) {
+    public FollowOperation(Separation apart) {
         this.apart = apart;
     }
 

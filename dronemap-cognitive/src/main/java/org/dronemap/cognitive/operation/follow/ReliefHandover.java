@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
-import org.dronemap.cognitive.follow.FollowSeparation;
+import org.dronemap.core.separation.Separation;
 
 /** Hands a follow over from its drone to a relief drone, and sends replaced drones home. */
 final class ReliefHandover {
@@ -46,7 +46,7 @@ final class ReliefHandover {
             List<FollowState> others,
             Instant at,
             List<FollowInput.OtherDrone> seen,
-            FollowSeparation apart) {
+            Separation apart) {
         FollowState next = state;
         List<FollowState> left = new ArrayList<>();
         for (FollowState other : others) {

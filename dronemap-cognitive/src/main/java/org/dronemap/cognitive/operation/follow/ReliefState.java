@@ -2,8 +2,8 @@ package org.dronemap.cognitive.operation.follow;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.dronemap.cognitive.follow.FollowSeparation;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.separation.Separation;
 import org.dronemap.core.stored.Stored;
 
 /**
@@ -73,8 +73,8 @@ public record ReliefState(
      * Where a drone waits to take over: on the same side, so much farther that two have room, and above those that follow,
      * whose ways it crosses as it comes.
      */
-    static FollowOrder.RelativePlace standBy(FollowOrder.RelativePlace place, FollowSeparation apart) {
-        double more = apart.groundMeters() + ROOM_METERS;
+    static FollowOrder.RelativePlace standBy(FollowOrder.RelativePlace place, Separation apart) {
+        double more = apart.horizontalMeters() + ROOM_METERS;
         double distance = place.distanceMeters() + more;
         return new FollowOrder.RelativePlace(
                 place.side(),
@@ -83,16 +83,16 @@ public record ReliefState(
     }
 
     /** How high a drone that was replaced flies home: above those that follow, and above those that come. */
-    static double homewardMeters(FollowOrder.RelativePlace place, FollowSeparation apart) {
+    static double homewardMeters(FollowOrder.RelativePlace place, Separation apart) {
         return place.heightMeters() + 3 * layerMeters(apart);
     }
 
-    private static double layerMeters(FollowSeparation apart) {
-        return apart.heightMeters() + ROOM_IN_HEIGHT_METERS;
+    private static double layerMeters(Separation apart) {
+        return apart.verticalMeters() + ROOM_IN_HEIGHT_METERS;
     }
 
     /** Metres between two drones from which on one takes over. */
-    static double nearMeters(FollowSeparation apart) {
-        return apart.groundMeters() + ROOM_METERS + BESIDE_METERS;
+    static double nearMeters(Separation apart) {
+        return apart.horizontalMeters() + ROOM_METERS + BESIDE_METERS;
     }
 }

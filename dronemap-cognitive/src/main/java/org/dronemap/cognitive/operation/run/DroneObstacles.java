@@ -14,11 +14,11 @@ import org.dronemap.cognitive.operation.run.model.RunWaypoint;
 import org.dronemap.cognitive.problem.Barrier;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Place;
-import org.dronemap.cognitive.problem.Separation;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceArea;
+import org.dronemap.core.separation.Separation;
 import org.dronemap.core.zone.AltitudeBand;
 
 /** Turns drones that hover where a mission run cannot move them into barriers, so that new plans lead round them. */

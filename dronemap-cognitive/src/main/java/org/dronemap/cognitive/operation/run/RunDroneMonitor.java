@@ -86,7 +86,9 @@ final class RunDroneMonitor {
         }
         boolean settled = Duration.between(drone.since(), draft.now()).compareTo(UNTIL_SEEN) > 0;
         return switch (drone.stage()) {
-            case FLYING -> !HomeArrival.isDriven(drone, look) && (look.isSteered() || (look.waits() && settled && look.giveWay() == null));
+            case FLYING ->
+                !HomeArrival.isDriven(drone, look)
+                        && (look.isSteered() || (look.waits() && settled && look.giveWay() == null));
             case STARTING, HOLDING, REPLACING, CONTINUING, RETURNING -> look.isSteered();
             // It is armed in a mode that orders are taken in: somebody else armed it, and not for us.
             case ARMING -> look.isArmed() && look.isSteered() && look.ordersMode() != null;

@@ -25,8 +25,8 @@ final class RunIntents {
     private RunIntents() {}
 
     static Map<DroneId, FlightIntent> of(RunState state, Instant now) {
-        FlightIntent.Bounds bounds = (drone, there) ->
-                isWithin(state.setting().barriers(), state.drone(drone.id()), drone, there);
+        FlightIntent.Bounds bounds =
+                (drone, there) -> isWithin(state.setting().barriers(), state.drone(drone.id()), drone, there);
         Map<DroneId, FlightIntent> intents = new HashMap<>();
         for (RunDrone drone : state.drones()) {
             step(state, drone, now).ifPresent(step -> intents.put(drone.id(), intent(drone, step, bounds)));

@@ -49,11 +49,10 @@ final class RunYielding {
 
     /** Told in flight: it stands as soon as it is seen to. */
     private static void stand(RunTransition draft, RunDrone drone, DroneObservation look, GiveWay give) {
-        boolean concerned =
-                switch (drone.stage()) {
-                    case FLYING, HOLDING, REPLACING, CONTINUING, RETURNING -> true;
-                    default -> false;
-                };
+        boolean concerned = switch (drone.stage()) {
+            case FLYING, HOLDING, REPLACING, CONTINUING, RETURNING -> true;
+            default -> false;
+        };
         if (!concerned) {
             return;
         }

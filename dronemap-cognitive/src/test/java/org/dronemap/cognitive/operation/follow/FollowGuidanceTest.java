@@ -8,7 +8,6 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.dronemap.cognitive.follow.FollowSeparation;
 import org.dronemap.cognitive.follow.StandOffSide;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Battery;
@@ -35,6 +34,7 @@ import org.dronemap.core.operation.AirspaceSnapshot;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationObservation;
 import org.dronemap.core.operation.TargetReport;
+import org.dronemap.core.separation.Separation;
 import org.dronemap.core.zone.AltitudeBand;
 import org.dronemap.core.zone.BreachAction;
 import org.dronemap.core.zone.Zone;
@@ -63,7 +63,7 @@ class FollowGuidanceTest {
                             60),
                     ZERO)
             .to(FollowStage.TRACKING, ZERO, "It follows.");
-    private FollowGuidance guide = new FollowGuidance(state.order().near(), FollowSeparation.USUAL);
+    private FollowGuidance guide = new FollowGuidance(state.order().near(), Separation.USUAL);
     private Geodetic falcon = HOME;
     private List<Zone> zones = List.of();
     private List<DroneState> aloft = List.of();
@@ -184,7 +184,7 @@ class FollowGuidanceTest {
     void isNotThereForTheOtherOneBeforeItHasRisen() {
         FollowOrder.ChosenDrone kestrel =
                 new FollowOrder.ChosenDrone(new DroneId("d2"), "Kestrel", PHONE, 488, "It was chosen.");
-        FollowOperation follow = new FollowOperation(FollowSeparation.USUAL);
+        FollowOperation follow = new FollowOperation(Separation.USUAL);
         FollowState relieved =
                 follow.decide(state, new FollowInput.SendRelief(ZERO, kestrel)).next();
         FollowInput.Observed low = (FollowInput.Observed) follow.observed(relieved, both(PHONE, 490));
@@ -210,10 +210,10 @@ class FollowGuidanceTest {
 
     /** Metres above its home. */
     private double waitingHeight() {
-        guide = new FollowGuidance(state.order().near(), FollowSeparation.USUAL);
+        guide = new FollowGuidance(state.order().near(), Separation.USUAL);
         FollowOrder.ChosenDrone kestrel =
                 new FollowOrder.ChosenDrone(new DroneId("d2"), "Kestrel", HOME, 488, "It was chosen.");
-        FollowState relieved = new FollowOperation(FollowSeparation.USUAL)
+        FollowState relieved = new FollowOperation(Separation.USUAL)
                 .decide(state, new FollowInput.SendRelief(ZERO, kestrel))
                 .next();
         FollowState rising = relieved.reliefOrNone().others().get(0);
@@ -251,7 +251,7 @@ class FollowGuidanceTest {
 
     /** By one that waited 20 m away; it has flown beside its home. */
     private FollowState replaced() {
-        FollowOperation follow = new FollowOperation(FollowSeparation.USUAL);
+        FollowOperation follow = new FollowOperation(Separation.USUAL);
         FollowOrder.ChosenDrone kestrel =
                 new FollowOrder.ChosenDrone(new DroneId("d2"), "Kestrel", PHONE, 488, "It was chosen.");
         FollowState relieved =
@@ -295,7 +295,7 @@ class FollowGuidanceTest {
             }
             falcon = ((Setpoint.Track) said).point();
             highest = ((Setpoint.Track) said).altitude().meters();
-            if (highest - AMSL < FollowSeparation.USUAL.heightMeters()) {
+            if (highest - AMSL < Separation.USUAL.verticalMeters()) {
                 nearest = Math.min(nearest, Geodesy.distanceMeters(falcon, inTheWay));
             }
         }
@@ -318,7 +318,7 @@ class FollowGuidanceTest {
 
     @Test
     void keepsAsFarApartAsIsSet() {
-        guide = new FollowGuidance(state.order().near(), new FollowSeparation(25, 5));
+        guide = new FollowGuidance(state.order().near(), new Separation(25, 5));
         aloft = List.of(drone("d2", PHONE, ZERO));
         assertThat(led(60, PHONE)).isBetween(28.0, 33.0);
     }

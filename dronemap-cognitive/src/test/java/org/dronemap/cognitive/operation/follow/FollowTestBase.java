@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
-import org.dronemap.cognitive.follow.FollowSeparation;
 import org.dronemap.cognitive.follow.StandOffSide;
 import org.dronemap.cognitive.operation.follow.FollowInput.Observation;
 import org.dronemap.core.command.Command;
@@ -16,6 +15,7 @@ import org.dronemap.core.operation.OperationAction;
 import org.dronemap.core.operation.OperationDecision;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.ReporterState;
+import org.dronemap.core.separation.Separation;
 import org.jspecify.annotations.Nullable;
 
 /** One follow with a drone that is as a test says, at the time that the test says. */
@@ -33,7 +33,7 @@ abstract class FollowTestBase {
     static final Observation HOMING =
             led(new Observation(null, 0, true, true, false, true, "RTL", 90, 300.0, null, null));
 
-    final FollowOperation follow = new FollowOperation(FollowSeparation.USUAL);
+    final FollowOperation follow = new FollowOperation(Separation.USUAL);
     final List<Command> given = new ArrayList<>();
     FollowState state = FollowState.begin(
             new OperationId("follow-1"),

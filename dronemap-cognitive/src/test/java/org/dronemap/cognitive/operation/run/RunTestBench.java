@@ -16,7 +16,6 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import org.dronemap.cognitive.operation.run.model.RunDrone;
-import org.dronemap.cognitive.operation.run.model.RunDroneStage;
 import org.dronemap.cognitive.operation.run.model.RunInput;
 import org.dronemap.cognitive.operation.run.model.RunOrder;
 import org.dronemap.cognitive.operation.run.model.RunWaypoint;
@@ -39,7 +38,6 @@ import org.dronemap.core.separation.FlightPace;
 import org.dronemap.core.separation.GiveWay;
 import org.dronemap.core.separation.GroundVelocity;
 import org.dronemap.core.separation.Handling;
-import org.dronemap.core.separation.Separation;
 import org.dronemap.core.separation.SeparationDecision;
 import org.dronemap.core.separation.SeparationGuard;
 import org.dronemap.core.separation.SeparationOrder;
@@ -248,7 +246,9 @@ final class RunTestBench {
                         vehicle.transfer),
                 link == LinkState.LIVE ? Duration.ZERO : silence,
                 link == LinkState.LIVE ? still : Duration.ZERO,
-                Optional.ofNullable(yielding.get(vehicle.id)).map(Yielding::give).orElse(null));
+                Optional.ofNullable(yielding.get(vehicle.id))
+                        .map(Yielding::give)
+                        .orElse(null));
     }
 
     /** As the conductor of separation does, with what the run means its drones to do. */
@@ -271,7 +271,7 @@ final class RunTestBench {
                     FlightPace.of(seen.state().identification().kind())));
         }
         AirspacePicture picture =
-                new AirspacePicture(now, drones, separation(), (drone, there) -> true);
+                new AirspacePicture(now, drones, state.setting().rules().separation(), (drone, there) -> true);
         SeparationDecision decision = SeparationGuard.decide(picture, yielding);
         yielding = decision.yielding();
         decision.orders().forEach(order -> {
@@ -283,11 +283,6 @@ final class RunTestBench {
                 }
             });
         });
-    }
-
-    private Separation separation() {
-        org.dronemap.cognitive.problem.Separation of = state.setting().rules().separation();
-        return new Separation(of.horizontalMeters(), of.verticalMeters());
     }
 
     private static DroneState linked(DroneState s, LinkState link) {

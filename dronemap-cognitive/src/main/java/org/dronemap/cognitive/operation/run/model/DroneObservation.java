@@ -7,8 +7,8 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.PayloadState;
 import org.dronemap.core.drone.ReturnHeight;
-import org.dronemap.core.stored.Stored;
 import org.dronemap.core.separation.GiveWay;
+import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**

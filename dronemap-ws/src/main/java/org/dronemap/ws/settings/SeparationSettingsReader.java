@@ -2,31 +2,31 @@ package org.dronemap.ws.settings;
 
 import java.util.Locale;
 import java.util.Map;
-import org.dronemap.cognitive.follow.FollowSeparation;
+import org.dronemap.core.separation.Separation;
 import org.dronemap.ws.environment.SetupException;
 
-/** Reads from environment variables how far apart drones that follow phones must keep. */
-final class FollowSettingsReader {
-    private static final String GROUND = "DRONEMAP_FOLLOW_SEPARATION_METERS";
-    private static final String HEIGHT = "DRONEMAP_FOLLOW_SEPARATION_HEIGHT_METERS";
+/** Reads from environment variables how far apart all drones in the air are kept. */
+final class SeparationSettingsReader {
+    private static final String GROUND = "DRONEMAP_SEPARATION_METERS";
+    private static final String HEIGHT = "DRONEMAP_SEPARATION_HEIGHT_METERS";
 
-    private FollowSettingsReader() {}
+    private SeparationSettingsReader() {}
 
-    static FollowSeparation apart(Map<String, String> environment) {
-        FollowSeparation otherwise = FollowSeparation.USUAL;
-        return new FollowSeparation(
+    static Separation apart(Map<String, String> environment) {
+        Separation otherwise = Separation.USUAL;
+        return new Separation(
                 meters(
                         environment,
                         GROUND,
-                        otherwise.groundMeters(),
-                        FollowSeparation.LEAST_GROUND_METERS,
-                        FollowSeparation.MOST_GROUND_METERS),
+                        otherwise.horizontalMeters(),
+                        Separation.LEAST_HORIZONTAL_METERS,
+                        Separation.MOST_HORIZONTAL_METERS),
                 meters(
                         environment,
                         HEIGHT,
-                        otherwise.heightMeters(),
-                        FollowSeparation.LEAST_HEIGHT_METERS,
-                        FollowSeparation.MOST_HEIGHT_METERS));
+                        otherwise.verticalMeters(),
+                        Separation.LEAST_VERTICAL_METERS,
+                        Separation.MOST_VERTICAL_METERS));
     }
 
     private static double meters(
