@@ -64,6 +64,7 @@ class PackageDependenciesTest {
             .resideInAnyPackage(
                     ROOM + "follow..",
                     "org.dronemap.core.geo..",
+                    "org.dronemap.core.separation..",
                     "org.dronemap.core.stored..",
                     "java..",
                     "org.jspecify..");

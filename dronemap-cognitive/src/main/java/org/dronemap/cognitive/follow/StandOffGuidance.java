@@ -5,6 +5,9 @@ import java.time.Instant;
 import java.util.List;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
+import org.dronemap.core.separation.DroneFix;
+import org.dronemap.core.separation.GroundVelocity;
+import org.dronemap.core.separation.TrafficAvoidance;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -120,10 +123,10 @@ public final class StandOffGuidance {
     }
 
     /** Turned on by what it turns meanwhile, slowed by half of what it brakes, and no faster. */
-    private static TrafficAvoidance.Velocity commandedVelocity(ReferencePoint from, ReferencePoint next, Cycle step) {
+    private static GroundVelocity commandedVelocity(ReferencePoint from, ReferencePoint next, Cycle step) {
         double speed = Math.hypot(next.eastward(), next.northward());
         if (step.seconds() == 0 || speed == 0) {
-            return new TrafficAvoidance.Velocity(next.eastward(), next.northward());
+            return new GroundVelocity(next.eastward(), next.northward());
         }
         double share = TURNING_SECONDS / step.seconds();
         double slower = Math.max(0, Math.hypot(from.eastward(), from.northward()) - speed) * share / 2;
@@ -133,11 +136,11 @@ public final class StandOffGuidance {
         double across = turned / speed * size;
         double east = next.eastward() * size + next.northward() * across;
         double north = next.northward() * size - next.eastward() * across;
-        TrafficAvoidance.Velocity apart = step.around()
+        GroundVelocity apart = step.around()
                 .others()
-                .allowed(List.of(next.spot(), step.drone()), next.up(), new TrafficAvoidance.Velocity(east, north));
+                .allowed(List.of(next.spot(), step.drone()), next.up(), new GroundVelocity(east, north));
         double free = brakingShare(step.around().room(), next.spot(), apart.eastward(), apart.northward());
-        return new TrafficAvoidance.Velocity(apart.eastward() * free, apart.northward() * free);
+        return new GroundVelocity(apart.eastward() * free, apart.northward() * free);
     }
 
     /** A gust that presses it down a little does not hold it up once it has risen. */
@@ -146,7 +149,7 @@ public final class StandOffGuidance {
         return amslMeters < limits.lowestAmslMeters() - (risen ? LOW_METERS : 0);
     }
 
-    private GuidanceSetpoint aim(ReferencePoint next, TrafficAvoidance.Velocity told, GuidanceSetpoint.Phase doing) {
+    private GuidanceSetpoint aim(ReferencePoint next, GroundVelocity told, GuidanceSetpoint.Phase doing) {
         return new GuidanceSetpoint(
                 plane.place(next.spot()), next.up(), told.eastward(), told.northward(), next.upward(), heading, doing);
     }
@@ -218,13 +221,12 @@ public final class StandOffGuidance {
         double moreNorth = northward / faster - from.northward();
         double change = Math.hypot(moreEast, moreNorth);
         double share = change == 0 ? 0 : Math.min(1, ACCELERATION * step.seconds() / change);
-        TrafficAvoidance.Velocity apart = step.around()
+        GroundVelocity apart = step.around()
                 .others()
                 .allowed(
                         List.of(from.spot(), step.drone()),
                         from.up(),
-                        new TrafficAvoidance.Velocity(
-                                from.eastward() + moreEast * share, from.northward() + moreNorth * share));
+                        new GroundVelocity(from.eastward() + moreEast * share, from.northward() + moreNorth * share));
         double east = apart.eastward();
         double north = apart.northward();
         FlyableArea room = step.around().room();

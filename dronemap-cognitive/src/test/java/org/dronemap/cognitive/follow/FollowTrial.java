@@ -5,6 +5,8 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.separation.DroneFix;
+import org.dronemap.core.separation.TrafficAvoidance;
 import org.dronemap.sim.physics.NeuPosition;
 import org.jspecify.annotations.Nullable;
 

@@ -8,7 +8,9 @@ import java.util.SplittableRandom;
 import java.util.stream.Collectors;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
+import org.dronemap.core.separation.DroneFix;
 import org.dronemap.core.separation.Separation;
+import org.dronemap.core.separation.TrafficAvoidance;
 import org.jspecify.annotations.Nullable;
 
 /** Several drones follow at once, each its target, over one poor network, and keep apart by what the cloud hears of them. */

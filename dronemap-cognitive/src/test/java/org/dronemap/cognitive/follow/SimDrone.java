@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import java.time.Instant;
 import java.util.Map;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.separation.DroneFix;
 import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameWriter;
 import org.dronemap.mavlink.Message;

@@ -16,6 +16,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.function.BooleanSupplier;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.separation.DroneFix;
 import org.dronemap.mavlink.Frame;
 import org.dronemap.mavlink.FrameReader;
 import org.dronemap.mavlink.FrameWriter;

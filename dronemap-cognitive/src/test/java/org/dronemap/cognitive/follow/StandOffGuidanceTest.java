@@ -9,7 +9,9 @@ import java.util.List;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
+import org.dronemap.core.separation.DroneFix;
 import org.dronemap.core.separation.Separation;
+import org.dronemap.core.separation.TrafficAvoidance;
 import org.junit.jupiter.api.Test;
 
 /** Where a drone is led beside its target, and where it never is. */

@@ -2,6 +2,7 @@ package org.dronemap.cognitive.follow;
 
 import java.time.Instant;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.separation.DroneFix;
 import org.dronemap.sim.physics.NeuPosition;
 
 /** A copter in the air that is told where to be, on a clock that the trial turns. */

@@ -6,6 +6,7 @@ import java.time.Instant;
 import java.util.List;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
+import org.dronemap.core.separation.TrafficAvoidance;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;

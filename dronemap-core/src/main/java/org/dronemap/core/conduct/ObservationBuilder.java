@@ -16,6 +16,7 @@ import org.dronemap.core.operation.AirspaceSnapshot;
 import org.dronemap.core.operation.OperationObservation;
 import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.separation.GiveWay;
+import org.dronemap.core.separation.PossiblePlace;
 import org.dronemap.core.separation.SeparationBoard;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.Zone;
@@ -74,11 +75,16 @@ final class ObservationBuilder {
         drones.forEach(id -> zones.put(
                 id,
                 cloud.zones().binding(of.owner(), id, scene.now(), scene.now().plus(SOON))));
+        Map<DroneId, List<PossiblePlace>> silent = board.silent();
         List<DroneState> others = airborne().stream()
-                .filter(drone -> !drones.contains(drone.id()))
+                .filter(drone -> !drones.contains(drone.id()) && !silent.containsKey(drone.id()))
+                .toList();
+        List<PossiblePlace> unheard = silent.entrySet().stream()
+                .filter(entry -> !drones.contains(entry.getKey()))
+                .flatMap(entry -> entry.getValue().stream())
                 .toList();
         return new OperationObservation(
-                scene.now(), scene.drones(), new AirspaceSnapshot(zones, others, crew.steeredDrones()));
+                scene.now(), scene.drones(), new AirspaceSnapshot(zones, others, unheard, crew.steeredDrones()));
     }
 
     /** Found once for all operations that look at about the same time. */

@@ -16,9 +16,11 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandRecord;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.lease.ControlState;
 import org.dronemap.core.lease.LeaseHolder;
 import org.dronemap.core.separation.AirspacePicture;
+import org.dronemap.core.separation.DroneFix;
 import org.dronemap.core.separation.FlightIntent;
 import org.dronemap.core.separation.GiveWay;
 import org.dronemap.core.separation.Handling;
@@ -28,6 +30,7 @@ import org.dronemap.core.separation.SeparationDecision;
 import org.dronemap.core.separation.SeparationGuard;
 import org.dronemap.core.separation.SeparationOrder;
 import org.dronemap.core.separation.TrackedDrone;
+import org.dronemap.core.separation.VelocityEstimates;
 import org.dronemap.core.separation.Yielding;
 import org.dronemap.core.time.Time;
 import org.jspecify.annotations.Nullable;
@@ -53,7 +56,8 @@ public final class SeparationConductor implements AutoCloseable {
     private final Clock clock;
     private final DroneGateway crew;
     private final LinkLossTimer silence;
-    private final GroundVelocityTracker velocities = new GroundVelocityTracker();
+    private final VelocityEstimates velocities = new VelocityEstimates();
+    private final SeenPaces paces = new SeenPaces();
     private final ExecutionThread thread;
     // Owned by the thread.
     private Map<DroneId, Yielding> yielding = Map.of();
@@ -99,7 +103,8 @@ public final class SeparationConductor implements AutoCloseable {
                 continue;
             }
             seen.add(state.id());
-            velocities.observe(state);
+            DroneFix fix = velocities.of(state);
+            paces.observe(state, fix);
             FlightIntent intent = intents.get(state.id());
             if (!state.airborne() && intent == null) {
                 continue;
@@ -111,12 +116,13 @@ public final class SeparationConductor implements AutoCloseable {
             drones.add(tracked(state, intent, holder));
         }
         velocities.retainOnly(seen);
+        paces.retainOnly(seen);
         restore(drones, now);
         AirspacePicture picture =
                 new AirspacePicture(now, drones, least, (drone, goTo) -> mayGo(holders.get(drone.id()), drone, goTo));
         SeparationDecision decision = SeparationGuard.decide(picture, yielding);
         yielding = decision.yielding();
-        board.publish(decision.giveWays());
+        board.publish(decision.giveWays(), decision.silent());
         decision.orders().forEach(order -> send(holders.get(order.to()), order));
     }
 
@@ -126,11 +132,21 @@ public final class SeparationConductor implements AutoCloseable {
         boolean counts = holder != null || (intent != null && intent.step() == FlightIntent.Step.LIE);
         return new TrackedDrone(
                 state,
-                silence.of(state),
+                silence(state),
                 counts ? intent : null,
                 handling,
                 velocities.velocity(state.id()),
-                velocities.pace(state));
+                paces.of(state));
+    }
+
+    /** Since it was heard last; after a restart since the process began at least. */
+    private Duration silence(DroneState state) {
+        Duration lost = silence.of(state);
+        if (lost.isZero() && state.link().state() != LinkState.LOST) {
+            return Duration.ZERO;
+        }
+        Duration unheard = Duration.between(state.link().lastHeard(), clock.instant());
+        return unheard.compareTo(lost) > 0 ? unheard : lost;
     }
 
     private LeaseHolder.@Nullable Operation holder(DroneId drone) {

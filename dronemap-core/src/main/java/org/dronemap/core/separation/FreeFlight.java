@@ -24,8 +24,8 @@ final class FreeFlight {
         for (int i = 0; i <= strides; i++) {
             double seconds = i * Track.STRIDE_SECONDS;
             PlanePoint spot = new PlanePoint(
-                    here.spot().eastMeters() + velocity.east() * seconds,
-                    here.spot().northMeters() + velocity.north() * seconds);
+                    here.spot().eastMeters() + velocity.eastward() * seconds,
+                    here.spot().northMeters() + velocity.northward() * seconds);
             double height = here.low() + climb * Math.min(seconds, TURNS_WITHIN_SECONDS);
             samples.add(new TrackSample(spot, Math.min(height, here.low()), Math.max(height, here.high()), 0));
         }

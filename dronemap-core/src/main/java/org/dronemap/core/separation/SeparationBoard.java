@@ -1,6 +1,7 @@
 package org.dronemap.core.separation;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
@@ -10,6 +11,7 @@ import org.dronemap.core.drone.DroneId;
 public final class SeparationBoard {
     private final Map<String, Map<DroneId, FlightIntent>> intents = new ConcurrentHashMap<>();
     private volatile Map<DroneId, GiveWay> giveWays = Map.of();
+    private volatile Map<DroneId, List<PossiblePlace>> silent = Map.of();
 
     /** What one of them means its drones to do from now on, in the place of what it meant before. */
     public void intend(String operation, Map<DroneId, FlightIntent> next) {
@@ -27,8 +29,14 @@ public final class SeparationBoard {
         return all;
     }
 
-    public void publish(Map<DroneId, GiveWay> next) {
+    public void publish(Map<DroneId, GiveWay> next, Map<DroneId, List<PossiblePlace>> unheard) {
         giveWays = Map.copyOf(next);
+        silent = Map.copyOf(unheard);
+    }
+
+    /** Where each drone that is not heard may be now; nowhere: it must be down. */
+    public Map<DroneId, List<PossiblePlace>> silent() {
+        return silent;
     }
 
     /** To whom drones give way now. Read before the drones' states: who was sent on is shown so by then. */

@@ -5,11 +5,19 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import org.dronemap.core.drone.DroneId;
 
-/** What follows from a picture of the airspace: who gives way, and what is commanded for that now. */
-public record SeparationDecision(Map<DroneId, Yielding> yielding, List<SeparationOrder> orders) {
+/**
+ * What follows from a picture of the airspace.
+ *
+ * @param yielding who gives way
+ * @param orders what is commanded for that now
+ * @param silent where each drone that is not heard may be now
+ */
+public record SeparationDecision(
+        Map<DroneId, Yielding> yielding, List<SeparationOrder> orders, Map<DroneId, List<PossiblePlace>> silent) {
     public SeparationDecision {
         yielding = Map.copyOf(yielding);
         orders = List.copyOf(orders);
+        silent = Map.copyOf(silent);
     }
 
     /** What operations are shown. */

@@ -112,6 +112,18 @@ final class SeparationRound {
     }
 
     SeparationDecision decision() {
-        return new SeparationDecision(yielding, orders);
+        Map<DroneId, List<PossiblePlace>> silent = new HashMap<>();
+        picture.drones().stream()
+                .filter(TrackedDrone::isLost)
+                .forEach(drone -> silent.put(drone.id(), places(near(drone))));
+        return new SeparationDecision(yielding, orders, silent);
+    }
+
+    private List<PossiblePlace> places(List<Track> tracks) {
+        return tracks.stream()
+                .map(track -> track.samples().get(0))
+                .map(now -> new PossiblePlace(plane.place(now.spot()), (now.low() + now.high()) / 2))
+                .distinct()
+                .toList();
     }
 }

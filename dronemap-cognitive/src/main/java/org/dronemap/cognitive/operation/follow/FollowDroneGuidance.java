@@ -5,7 +5,6 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.dronemap.cognitive.follow.DroneFix;
 import org.dronemap.cognitive.follow.FlyableArea;
 import org.dronemap.cognitive.follow.GuidanceLimits;
 import org.dronemap.cognitive.follow.GuidanceSetpoint;
@@ -15,7 +14,6 @@ import org.dronemap.cognitive.follow.StandOffGuidance;
 import org.dronemap.cognitive.follow.StandOffSide;
 import org.dronemap.cognitive.follow.TargetFilter;
 import org.dronemap.cognitive.follow.TrackedTarget;
-import org.dronemap.cognitive.follow.TrafficAvoidance;
 import org.dronemap.core.command.Setpoint;
 import org.dronemap.core.drone.Battery;
 import org.dronemap.core.drone.Capabilities.Steering;
@@ -26,7 +24,10 @@ import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.operation.OperationObservation;
+import org.dronemap.core.separation.DroneFix;
 import org.dronemap.core.separation.Separation;
+import org.dronemap.core.separation.TrafficAvoidance;
+import org.dronemap.core.separation.VelocityEstimates;
 import org.dronemap.core.zone.Zone;
 import org.jspecify.annotations.Nullable;
 
@@ -175,6 +176,10 @@ final class FollowDroneGuidance {
                         one,
                         Math.max(0, Math.min(LONGEST_AHEAD, seconds(one.at(), scene.now()) + downlink(drone))),
                         scene.airspace().steered().contains(id))));
+        scene.airspace()
+                .silent()
+                .forEach(place -> all.add(new TrafficAvoidance.ReportedDrone(
+                        new DroneFix(scene.now(), place.point(), place.altitudeAmslMeters(), 0, 0), 0, false)));
         return TrafficAvoidance.of(target.plane(), all, apart);
     }
 

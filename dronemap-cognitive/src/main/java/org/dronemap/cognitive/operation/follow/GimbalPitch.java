@@ -1,10 +1,10 @@
 package org.dronemap.cognitive.operation.follow;
 
 import java.time.Instant;
-import org.dronemap.cognitive.follow.DroneFix;
 import org.dronemap.cognitive.follow.PlanarMotion;
 import org.dronemap.cognitive.follow.TrackedTarget;
 import org.dronemap.core.geo.PlanePoint;
+import org.dronemap.core.separation.DroneFix;
 
 /** Computes the pitch at which the camera of a following drone looks at the phone. */
 final class GimbalPitch {

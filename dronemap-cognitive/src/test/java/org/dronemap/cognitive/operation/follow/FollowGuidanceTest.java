@@ -141,7 +141,7 @@ class FollowGuidanceTest {
             guide.reported(new TargetReport(tenths, now, now, now, Duration.ZERO, PHONE, 3, null));
             OperationObservation.ObservedDrone seen = new OperationObservation.ObservedDrone(
                     drone("d1", falcon, now), OURS, Duration.ZERO, Duration.ZERO);
-            AirspaceSnapshot around = new AirspaceSnapshot(Map.of(FALCON, zones), aloft, Set.of());
+            AirspaceSnapshot around = new AirspaceSnapshot(Map.of(FALCON, zones), aloft, List.of(), Set.of());
             OperationObservation scene = new OperationObservation(now, List.of(seen), now, null, around, Map.of());
             Setpoint.Track said = (Setpoint.Track) guide.steer(state, scene).get(FALCON);
             falcon = said.point();
@@ -237,7 +237,7 @@ class FollowGuidanceTest {
                             seen,
                             now,
                             null,
-                            new AirspaceSnapshot(Map.of(new DroneId("d2"), zones), List.of(), said.keySet()),
+                            new AirspaceSnapshot(Map.of(new DroneId("d2"), zones), List.of(), List.of(), said.keySet()),
                             Map.of()));
             first = ((Setpoint.Track) said.get(FALCON)).point();
             second = ((Setpoint.Track) said.get(new DroneId("d2"))).point();
@@ -285,7 +285,7 @@ class FollowGuidanceTest {
         for (int tenth = 0; tenth < 580; tenth++) {
             Instant now = ZERO.plusMillis(100L * tenth);
             DroneState old = drone("d1", falcon, now);
-            AirspaceSnapshot around = new AirspaceSnapshot(Map.of(), List.of(drone("d3", inTheWay, now)), Set.of());
+            AirspaceSnapshot around = new AirspaceSnapshot(Map.of(), List.of(drone("d3", inTheWay, now)), List.of(), Set.of());
             List<OperationObservation.ObservedDrone> seen =
                     List.of(new OperationObservation.ObservedDrone(old, OURS, Duration.ZERO, Duration.ZERO));
             said = guide.steer(after, new OperationObservation(now, seen, now, null, around, Map.of()))

@@ -1,4 +1,4 @@
-package org.dronemap.cognitive.follow;
+package org.dronemap.core.separation;
 
 import java.time.Duration;
 import java.time.Instant;

@@ -1,11 +1,11 @@
-package org.dronemap.cognitive.operation.follow;
+package org.dronemap.core.separation;
 
 import java.time.Instant;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.dronemap.cognitive.follow.DroneFix;
+import java.util.Set;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Position;
@@ -17,14 +17,13 @@ import org.jspecify.annotations.Nullable;
  * Estimates the velocities of a following drone and of drones near it from their successive reported positions. Owned
  * by the conductor's thread.
  */
-final class VelocityEstimates {
+public final class VelocityEstimates {
     private static final double FAR_METERS = 300;
 
     private final Map<DroneId, DroneFix> known = new HashMap<>();
 
     /** Null: where it is, is not known. */
-    @Nullable
-    DroneFix of(DroneState drone) {
+    public @Nullable DroneFix of(DroneState drone) {
         Position position = drone.position();
         Geodetic point = position == null ? null : position.point();
         Double amsl = position == null ? null : position.altitudeAmslMeters();
@@ -42,8 +41,18 @@ final class VelocityEstimates {
         return before;
     }
 
+    /** As its positions show it; standing where nothing is known of it. */
+    public GroundVelocity velocity(DroneId drone) {
+        DroneFix fix = known.get(drone);
+        return fix == null ? GroundVelocity.NONE : new GroundVelocity(fix.eastward(), fix.northward());
+    }
+
+    public void retainOnly(Set<DroneId> drones) {
+        known.keySet().retainAll(drones);
+    }
+
     /** Those that are near this one; the others are forgotten. */
-    Map<DroneId, DroneFix> of(List<DroneState> others, DroneState drone) {
+    public Map<DroneId, DroneFix> of(List<DroneState> others, DroneState drone) {
         Position position = drone.position();
         Geodetic here = position == null ? null : position.point();
         Map<DroneId, DroneFix> near = new LinkedHashMap<>();

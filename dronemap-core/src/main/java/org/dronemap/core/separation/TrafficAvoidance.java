@@ -1,9 +1,8 @@
-package org.dronemap.cognitive.follow;
+package org.dronemap.core.separation;
 
 import java.util.List;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
-import org.dronemap.core.separation.Separation;
 
 /**
  * Changes the velocity of a following drone so that it keeps apart from the other drones in the air. The nearer it is,
@@ -84,16 +83,6 @@ public final class TrafficAvoidance {
         }
     }
 
-    /** Eastward and northward, m/s. */
-    record Velocity(double eastward, double northward) {
-        /** Of that component, in a direction of length 1. */
-        Velocity atLeast(double speed, Velocity direction) {
-            double has = eastward * direction.eastward() + northward * direction.northward();
-            double more = Math.max(0, speed - has);
-            return new Velocity(eastward + direction.eastward() * more, northward + direction.northward() * more);
-        }
-    }
-
     private TrafficAvoidance(List<Neighbor> neighbors, double horizontalMeters, double verticalMeters) {
         this.neighbors = List.copyOf(neighbors);
         this.horizontalMeters = horizontalMeters;
@@ -118,10 +107,10 @@ public final class TrafficAvoidance {
     }
 
     /** The nearest to that speed by which it keeps apart, if it may be at any of these spots at that height. */
-    Velocity allowed(List<PlanePoint> here, double amslMeters, Velocity wanted) {
-        Velocity speed = wanted;
+    public GroundVelocity allowed(List<PlanePoint> here, double amslMeters, GroundVelocity wanted) {
+        GroundVelocity speed = wanted;
         for (int round = 0; round < ROUNDS; round++) {
-            Velocity before = speed;
+            GroundVelocity before = speed;
             for (Neighbor one : neighbors) {
                 if (Math.abs(one.amslMeters() - amslMeters) < verticalMeters) {
                     // All of it goes out of the way on one side.
@@ -138,7 +127,8 @@ public final class TrafficAvoidance {
         return speed;
     }
 
-    private Velocity kept(Neighbor other, PlanePoint here, Velocity wanted, boolean sideways, boolean right) {
+    private GroundVelocity kept(
+            Neighbor other, PlanePoint here, GroundVelocity wanted, boolean sideways, boolean right) {
         // Who flies away may have stopped since.
         PlanePoint there = other.ahead(here) < 0 ? other.was() : other.spot();
         double meters = there.distanceMeters(here);
@@ -155,12 +145,12 @@ public final class TrafficAvoidance {
             return wanted;
         }
         if (!other.led() && most < 0 && comes > 0) {
-            return sidestep(other, here, wanted, new Velocity(east, north), -most, right);
+            return sidestep(other, here, wanted, new GroundVelocity(east, north), -most, right);
         }
         double fastest = other.led() && meters > horizontalMeters + NEAR_METERS ? FASTEST_FROM_LED : FASTEST_AWAY;
         double less = closer - Math.max(-fastest, most);
         double turn = sideways ? SIDEWAYS * Math.min(less, Math.max(0, closer)) : 0;
-        return new Velocity(
+        return new GroundVelocity(
                 wanted.eastward() + east * less - north * turn, wanted.northward() + north * less + east * turn);
     }
 
@@ -171,11 +161,11 @@ public final class TrafficAvoidance {
      * @param away from the other to here, of length 1
      * @param excess m/s that it comes on beyond what it may
      */
-    private Velocity sidestep(
-            Neighbor other, PlanePoint here, Velocity wanted, Velocity away, double excess, boolean right) {
+    private GroundVelocity sidestep(
+            Neighbor other, PlanePoint here, GroundVelocity wanted, GroundVelocity away, double excess, boolean right) {
         double side = right ? 1 : -1;
-        Velocity aside =
-                new Velocity(other.northward() / other.speed() * side, -other.eastward() / other.speed() * side);
+        GroundVelocity aside =
+                new GroundVelocity(other.northward() / other.speed() * side, -other.eastward() / other.speed() * side);
         double along = (wanted.eastward() * other.eastward() + wanted.northward() * other.northward()) / other.speed();
         double seconds = (other.ahead(here) - CLEAR_METERS) / Math.max(other.speed() - along, SLOWEST);
         double least = (horizontalMeters - other.right(here) * side) / seconds;
@@ -216,7 +206,7 @@ public final class TrafficAvoidance {
     }
 
     /** Upwards or downwards as far as nobody is there; from who is too near all the same the higher one goes up, the other down. */
-    double level(PlanePoint here, double amslMeters, double wantedMeters) {
+    public double level(PlanePoint here, double amslMeters, double wantedMeters) {
         double least = Double.NEGATIVE_INFINITY;
         double most = Double.POSITIVE_INFINITY;
         for (Neighbor one : neighbors) {
