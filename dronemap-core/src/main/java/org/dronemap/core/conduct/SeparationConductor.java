@@ -142,10 +142,11 @@ public final class SeparationConductor implements AutoCloseable {
     /** Since it was heard last; after a restart since the process began at least. */
     private Duration silence(DroneState state) {
         Duration lost = silence.of(state);
+        Instant lastHeard = state.link().lastHeard();
         if (lost.isZero() && state.link().state() != LinkState.LOST) {
             return Duration.ZERO;
         }
-        Duration unheard = Duration.between(state.link().lastHeard(), clock.instant());
+        Duration unheard = lastHeard == null ? lost : Duration.between(lastHeard, clock.instant());
         return unheard.compareTo(lost) > 0 ? unheard : lost;
     }
 

@@ -122,7 +122,7 @@ final class DepartureGuard {
     private void checkDeparture(TrackedDrone drone) {
         TrackSample here = round.far.here(drone);
         Yielding own = round.yielding(drone);
-        if (here == null || (own != null && own.isTold())) {
+        if (here == null || (own != null && own.isOrdered())) {
             return;
         }
         Track mine = round.far.mission(drone, here);
@@ -152,7 +152,7 @@ final class DepartureGuard {
         if (own == null || here == null) {
             return;
         }
-        if (!own.isTold()) {
+        if (!own.isOrdered()) {
             boolean wants = drone.step() == FlightIntent.Step.RISE || drone.step() == FlightIntent.Step.GO_ON;
             if (!wants) {
                 round.yielding.remove(drone.id());

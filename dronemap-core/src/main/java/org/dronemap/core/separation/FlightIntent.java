@@ -7,7 +7,7 @@ import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What an operation has one of its drones do next, as far as the drone itself does not show it.
+ * Intent of an operation for one of its drones: what it does next, as far as the drone itself does not show it.
  *
  * @param items what it has on board to be flown, or is about to start, from the item that it heads for on
  * @param pace how fast it flies them; null: not known

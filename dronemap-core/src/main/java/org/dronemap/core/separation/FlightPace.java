@@ -3,7 +3,7 @@ package org.dronemap.core.separation;
 import org.dronemap.core.drone.VehicleKind;
 
 /**
- * How fast a drone flies its ways, in m/s and m/s²; what is not known of a vehicle is assumed for its kind.
+ * Speeds and acceleration of a drone on its ways, in m/s and m/s²; what is not known of a vehicle is assumed for its kind.
  *
  * @param cruise over the ground
  * @param acceleration gathering speed and braking; infinite: at once

@@ -5,7 +5,7 @@ import java.util.List;
 import org.dronemap.core.drone.Motion;
 import org.dronemap.core.geo.PlanePoint;
 
-/** Where a drone may fly that somebody steers whose mind nobody here knows. */
+/** Forecasts a drone that somebody steers whose mind nobody here knows. */
 final class FreeFlight {
     /** Others are out of its reach after so long, wherever it turns to now. */
     private static final double TURNS_WITHIN_SECONDS = 4.5;

@@ -6,7 +6,7 @@ import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A drone gives way to another one. It stands until its operation has it go on.
+ * Notice to an operation that one of its drones gives way to another one: it stands until the operation has it go on.
  *
  * @param to the other one
  * @param toName as people call it
@@ -22,7 +22,7 @@ public record GiveWay(
         Instant since,
         boolean clear,
         @Nullable String words) {
-    /** How it gives way. */
+    /** Manner of giving way. */
     @Stored(names = "WAIT STOP MOVE")
     public enum Manner {
         /** It does not set off. */

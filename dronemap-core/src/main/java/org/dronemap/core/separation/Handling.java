@@ -1,6 +1,6 @@
 package org.dronemap.core.separation;
 
-/** Who may change what a drone does now so that it keeps apart from others. */
+/** Authority over a drone: whether it may be moved now so that it keeps apart from others. */
 public enum Handling {
     /** It is commanded from here by an operation, or flies a mission that nobody holds: it may be held or moved. */
     COMMANDED,

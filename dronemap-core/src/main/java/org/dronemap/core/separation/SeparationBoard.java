@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import org.dronemap.core.drone.DroneId;
 
-/** Where operations put what they mean to do, and read to whom their drones give way. Any thread. */
+/** Exchange between operations, which say what they mean to do, and the guard, which says who gives way. Any thread. */
 public final class SeparationBoard {
     private final Map<String, Map<DroneId, FlightIntent>> intents = new ConcurrentHashMap<>();
     private volatile Map<DroneId, GiveWay> giveWays = Map.of();

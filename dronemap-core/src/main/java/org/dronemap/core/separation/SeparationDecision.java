@@ -6,7 +6,7 @@ import java.util.stream.Collectors;
 import org.dronemap.core.drone.DroneId;
 
 /**
- * What follows from a picture of the airspace.
+ * Decision on one picture of the airspace.
  *
  * @param yielding who gives way
  * @param orders what is commanded for that now

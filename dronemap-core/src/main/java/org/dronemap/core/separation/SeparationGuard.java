@@ -153,8 +153,8 @@ public final class SeparationGuard {
                 && drone.state().airborne()
                 && !drone.isCommanded();
         Yielding own = round.yielding(drone);
-        boolean told = own != null && own.isTold() && !own.isUnheeded(round.picture.now());
-        return free && !told && (isOnMission(drone) || drone.isHomeward());
+        boolean ordered = own != null && own.isOrdered() && !own.isUnheeded(round.picture.now());
+        return free && !ordered && (isOnMission(drone) || drone.isHomeward());
     }
 
     private static boolean isOnMission(TrackedDrone drone) {

@@ -13,7 +13,7 @@ import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.mission.Altitude;
 import org.jspecify.annotations.Nullable;
 
-/** What is known and decided while one picture of the airspace is looked at. Used once, by one thread. */
+/** Working memory while one picture of the airspace is looked at. Used once, by one thread. */
 final class SeparationRound {
     private static final double AHEAD_SECONDS = 10;
     /** Who goes on must not be stopped again at once. */
@@ -46,17 +46,17 @@ final class SeparationRound {
     }
 
     List<Track> near(TrackedDrone drone) {
-        return nearTracks.computeIfAbsent(drone.id(), id -> told(drone, near.of(drone)));
+        return nearTracks.computeIfAbsent(drone.id(), id -> ordered(drone, near.of(drone)));
     }
 
     List<Track> far(TrackedDrone drone) {
-        return farTracks.computeIfAbsent(drone.id(), id -> told(drone, far.of(drone)));
+        return farTracks.computeIfAbsent(drone.id(), id -> ordered(drone, far.of(drone)));
     }
 
     /** Who was told to stand, and does not yet, may do either; who stands does. */
-    private List<Track> told(TrackedDrone drone, List<Track> tracks) {
+    private List<Track> ordered(TrackedDrone drone, List<Track> tracks) {
         Yielding own = yielding.get(drone.id());
-        if (own == null || !own.isTold() || drone.waits() || drone.isLost()) {
+        if (own == null || !own.isOrdered() || drone.waits() || drone.isLost()) {
             return tracks;
         }
         List<Track> both = new ArrayList<>(stopping(tracks));

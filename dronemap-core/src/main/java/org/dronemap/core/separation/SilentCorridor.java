@@ -5,7 +5,7 @@ import java.util.List;
 import org.dronemap.core.safety.SafetyTimes;
 
 /**
- * Where a drone that is not heard may be: further on its mission, sooner or later, on its way home from where it missed
+ * Tracks of a drone that is not heard: further on its mission, sooner or later, on its way home from where it missed
  * the cloud, or standing where it was heard last, as one whose fail-safe is off does until its battery is empty.
  */
 final class SilentCorridor {

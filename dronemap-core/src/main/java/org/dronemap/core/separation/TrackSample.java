@@ -3,7 +3,7 @@ package org.dronemap.core.separation;
 import org.dronemap.core.geo.PlanePoint;
 
 /**
- * Where a drone may be at one moment: on a disc round a spot, in a range of heights above sea level, in metres.
+ * Region where a drone may be at one moment: on a disc round a spot, in a range of heights above sea level, in metres.
  *
  * @param reach radius of the disc; 0: at the spot
  */

@@ -5,7 +5,7 @@ import java.time.Instant;
 import org.dronemap.core.drone.DroneId;
 
 /**
- * What is remembered of a drone that gives way.
+ * Memory of one drone that gives way.
  *
  * @param give what its operation is shown
  * @param since when it began to give way
@@ -34,7 +34,7 @@ public record Yielding(GiveWay give, Instant since, Instant busyUntil, boolean s
     }
 
     /** Told in flight: it is not under way to where its operation had it go. */
-    boolean isTold() {
+    boolean isOrdered() {
         return give.manner() != GiveWay.Manner.WAIT;
     }
 

@@ -29,7 +29,7 @@ final class YieldingReview {
         if (drone.handling() != Handling.COMMANDED) {
             return null;
         }
-        if (!yielding.isTold()) {
+        if (!yielding.isOrdered()) {
             // Asked for anew in each round as long as it means to set off.
             return yielding;
         }

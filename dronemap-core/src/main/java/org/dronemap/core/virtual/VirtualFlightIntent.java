@@ -5,7 +5,7 @@ import java.util.Optional;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.separation.FlightIntent;
 
-/** What a virtual drone's run means the real drone that serves it to do next. */
+/** Derives from a virtual drone's run the intent for the real drone that serves it. */
 public final class VirtualFlightIntent {
     private VirtualFlightIntent() {}
 

@@ -285,7 +285,8 @@ class FollowGuidanceTest {
         for (int tenth = 0; tenth < 580; tenth++) {
             Instant now = ZERO.plusMillis(100L * tenth);
             DroneState old = drone("d1", falcon, now);
-            AirspaceSnapshot around = new AirspaceSnapshot(Map.of(), List.of(drone("d3", inTheWay, now)), List.of(), Set.of());
+            AirspaceSnapshot around =
+                    new AirspaceSnapshot(Map.of(), List.of(drone("d3", inTheWay, now)), List.of(), Set.of());
             List<OperationObservation.ObservedDrone> seen =
                     List.of(new OperationObservation.ObservedDrone(old, OURS, Duration.ZERO, Duration.ZERO));
             said = guide.steer(after, new OperationObservation(now, seen, now, null, around, Map.of()))
