@@ -10,25 +10,47 @@ import org.dronemap.core.separation.DroneFix;
 import org.dronemap.core.separation.FlightPace;
 import org.jspecify.annotations.Nullable;
 
-/** Remembers how fast drones were seen on missions, since vehicles do not say how fast they fly them. One thread. */
+/**
+ * Remembers how fast drones were seen on missions, since vehicles do not say how fast they fly them, and how fast they
+ * flew lately otherwise. One thread.
+ */
 final class SeenPaces {
-    private final Map<DroneId, Double> fastest = new HashMap<>();
+    /** Whoever hovers may set off as fast as that. */
+    private static final double LEAST_BY_HAND = 3;
+    /** With each look: what was seen half a minute ago counts half. */
+    private static final double FORGETTING = 0.994;
+
+    private final Map<DroneId, Double> onMission = new HashMap<>();
+    private final Map<DroneId, Double> lately = new HashMap<>();
 
     void observe(DroneState drone, @Nullable DroneFix fix) {
-        boolean flies = drone.capabilities()
+        if (fix == null) {
+            return;
+        }
+        double speed = Math.hypot(fix.eastward(), fix.northward());
+        lately.merge(drone.id(), speed, (before, now) -> Math.max(before * FORGETTING, now));
+        if (drone.capabilities()
                 .steering(drone.mode())
                 .filter(by -> by == Steering.MISSION)
-                .isPresent();
-        if (fix != null && flies) {
-            fastest.merge(drone.id(), Math.hypot(fix.eastward(), fix.northward()), Math::max);
+                .isPresent()) {
+            onMission.merge(drone.id(), speed, Math::max);
         }
     }
 
+    /** Of one that flies a mission, or home. */
     FlightPace of(DroneState drone) {
-        return FlightPace.of(drone.identification().kind()).atLeast(fastest.getOrDefault(drone.id(), 0.0));
+        return FlightPace.of(drone.identification().kind()).atLeast(onMission.getOrDefault(drone.id(), 0.0));
+    }
+
+    /** Of one that somebody steers. */
+    FlightPace byHand(DroneState drone) {
+        FlightPace usual = FlightPace.of(drone.identification().kind());
+        double cruise = Math.max(LEAST_BY_HAND, lately.getOrDefault(drone.id(), 0.0));
+        return new FlightPace(cruise, usual.climb(), usual.descent(), usual.acceleration());
     }
 
     void retainOnly(Set<DroneId> drones) {
-        fastest.keySet().retainAll(drones);
+        onMission.keySet().retainAll(drones);
+        lately.keySet().retainAll(drones);
     }
 }

@@ -8,12 +8,14 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.UnknownDroneException;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.CommandRecord;
+import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
@@ -136,7 +138,13 @@ public final class SeparationConductor implements AutoCloseable {
                 counts ? intent : null,
                 handling,
                 velocities.velocity(state.id()),
-                paces.of(state));
+                isByHand(state, handling) ? paces.byHand(state) : paces.of(state));
+    }
+
+    private static boolean isByHand(DroneState state, Handling handling) {
+        Optional<Steering> steering = state.capabilities().steering(state.mode());
+        return handling == Handling.FOREIGN
+                && (steering.isEmpty() || steering.get().waitsForSomebody());
     }
 
     /** Since it was heard last; after a restart since the process began at least. */

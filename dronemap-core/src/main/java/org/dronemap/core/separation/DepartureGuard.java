@@ -22,6 +22,9 @@ final class DepartureGuard {
     private static final double AS_PLANNED = 0.7;
 
     private static final Duration LONGEST_YIELD = Duration.ofSeconds(15);
+    /** Two that stand and wait for each other: then one of them makes way. */
+    private static final Duration LONGEST_STANDOFF = Duration.ofSeconds(4);
+
     private static final Duration LONGEST_ARMING = Duration.ofSeconds(20);
     private static final double OVER_METERS = 6;
     private static final double OVER_SECONDS = 5;
@@ -168,6 +171,9 @@ final class DepartureGuard {
                 .flatMap(other -> round.far(other).stream())
                 .allMatch(way -> mine.isPassable(way, round.least) && (home || !rolls(drone) || !isNear(mine, way)));
         round.yielding.put(drone.id(), own.clear(clear));
+        if (!clear && own.lasting(round.picture.now()).compareTo(LONGEST_STANDOFF) > 0) {
+            new WayMaking(round).makeWay(drone, mine);
+        }
         if (!clear && home && own.lasting(round.picture.now()).compareTo(LONGEST_YIELD) > 0) {
             climbOver(drone, here, own);
         }

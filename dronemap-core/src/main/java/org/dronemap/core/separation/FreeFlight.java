@@ -8,11 +8,13 @@ import org.dronemap.core.geo.PlanePoint;
 /** Forecasts a drone that somebody steers whose mind nobody here knows. */
 final class FreeFlight {
     /** Others are out of its reach after so long, wherever it turns to now. */
-    private static final double TURNS_WITHIN_SECONDS = 4.5;
-    /** Who steers by hand flies at least as fast as that before anybody can do anything about it. */
-    private static final double LEAST_SPEED = 3;
-    /** Share of a climb that goes on. */
+    private static final double TURNS_WITHIN_SECONDS = 6;
+    /** m/s². */
+    private static final double ACCELERATION = 3;
+
     private static final double MOST_CLIMB = 3;
+    /** It may climb or sink by so much before anybody sees it. */
+    private static final double HEIGHT_METERS = 2.5;
 
     private FreeFlight() {}
 
@@ -20,14 +22,12 @@ final class FreeFlight {
     static Track straight(TrackedDrone drone, TrackSample here, int strides) {
         List<TrackSample> samples = new ArrayList<>();
         GroundVelocity velocity = drone.velocity();
-        double climb = climb(drone);
         for (int i = 0; i <= strides; i++) {
             double seconds = i * Track.STRIDE_SECONDS;
             PlanePoint spot = new PlanePoint(
                     here.spot().eastMeters() + velocity.eastward() * seconds,
                     here.spot().northMeters() + velocity.northward() * seconds);
-            double height = here.low() + climb * Math.min(seconds, TURNS_WITHIN_SECONDS);
-            samples.add(new TrackSample(spot, Math.min(height, here.low()), Math.max(height, here.high()), 0));
+            samples.add(heights(drone, new TrackSample(spot, here.low()), seconds, 0));
         }
         return new Track(samples);
     }
@@ -35,16 +35,25 @@ final class FreeFlight {
     /** Anywhere that it comes to when it turns now. */
     static Track anywhere(TrackedDrone drone, TrackSample here, int strides) {
         List<TrackSample> samples = new ArrayList<>();
-        double fastest = Math.max(LEAST_SPEED, drone.velocity().speed());
-        double climb = climb(drone);
         for (int i = 0; i <= strides; i++) {
             double seconds = Math.min(i * Track.STRIDE_SECONDS, TURNS_WITHIN_SECONDS);
-            samples.add(here.at(
-                    fastest * seconds,
-                    here.low() + Math.min(0, climb) * seconds,
-                    here.high() + Math.max(0, climb) * seconds));
+            samples.add(heights(drone, here, seconds, reach(drone, seconds)));
         }
         return new Track(samples);
+    }
+
+    /** As fast as it flew lately at most, which it may gather anew. */
+    private static double reach(TrackedDrone drone, double seconds) {
+        double speed = drone.velocity().speed();
+        double fastest = Math.max(speed, drone.pace().cruise());
+        double gathering = Math.min(seconds, (fastest - speed) / ACCELERATION);
+        return speed * gathering + ACCELERATION * gathering * gathering / 2 + fastest * (seconds - gathering);
+    }
+
+    private static TrackSample heights(TrackedDrone drone, TrackSample at, double seconds, double reach) {
+        double climbed = climb(drone) * Math.min(seconds, TURNS_WITHIN_SECONDS);
+        double doubt = Math.min(HEIGHT_METERS, MOST_CLIMB * seconds);
+        return at.at(reach, at.low() + Math.min(0, climbed) - doubt, at.high() + Math.max(0, climbed) + doubt);
     }
 
     private static double climb(TrackedDrone drone) {

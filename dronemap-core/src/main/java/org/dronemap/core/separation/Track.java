@@ -47,6 +47,11 @@ record Track(List<TrackSample> samples) {
         return new Track(later);
     }
 
+    /** Standing where it comes to in the end. */
+    Track last() {
+        return standing(samples.get(samples.size() - 1), samples.size() - 1);
+    }
+
     /** Its first part. */
     Track until(int strides) {
         return new Track(samples.subList(0, Math.min(samples.size(), strides + 1)));

@@ -1,0 +1,71 @@
+package org.dronemap.core.separation;
+
+import java.util.List;
+import java.util.Optional;
+
+/** Has drones that stand in the way of another one step aside: two that wait for each other would stand for ever. */
+final class WayMaking {
+    private final SeparationRound round;
+
+    WayMaking(SeparationRound round) {
+        this.round = round;
+    }
+
+    /** {@code way}: what that drone flies as soon as it is clear. */
+    void makeWay(TrackedDrone drone, Track way) {
+        round.picture.drones().stream()
+                .filter(other -> !other.id().equals(drone.id()) && mayBeMoved(drone, other))
+                .filter(other -> round.far(other).stream().anyMatch(track -> !way.isPassable(track, round.least)))
+                .findFirst()
+                .ifPresent(other -> step(other, way).ifPresent(step -> {
+                    String words = step.words() + ", to make way for " + drone.name();
+                    round.command(
+                            other,
+                            round.give(drone, GiveWay.Manner.MOVE, words),
+                            step.seconds(),
+                            round.goTo(step.to()),
+                            other.name() + " " + words + ".");
+                }));
+    }
+
+    /** It stands for us, nothing is under way to it, and of two that wait for each other it is the later one. */
+    private boolean mayBeMoved(TrackedDrone drone, TrackedDrone other) {
+        Yielding own = round.yielding(other);
+        boolean later = own == null
+                ? other.step() == FlightIntent.Step.STAND
+                : !own.give().clear()
+                        && !own.isBusy(round.picture.now())
+                        && drone.id().value().compareTo(other.id().value()) < 0;
+        return later
+                && other.handling() == Handling.COMMANDED
+                && other.isStandingLive()
+                && other.hovers()
+                && other.canGoTo()
+                && !other.isCommanded();
+    }
+
+    private Optional<EvasiveMove> step(TrackedDrone other, Track way) {
+        TrackSample here = round.far.here(other);
+        if (here == null) {
+            return Optional.empty();
+        }
+        List<Track> others = round.picture.drones().stream()
+                .filter(one -> !one.id().equals(other.id()))
+                .flatMap(one -> round.far(one).stream())
+                .toList();
+        // The way is flown once it is clear: then the other one stands aside already.
+        return EvasiveMove.of(
+                        other,
+                        here,
+                        round.far,
+                        there -> round.mayGo(other, there)
+                                && round.far.standing(there).clearance(way, round.least) >= 1,
+                        track -> Math.min(
+                                others.stream()
+                                        .mapToDouble(one -> track.clearance(one, round.least))
+                                        .min()
+                                        .orElse(Double.POSITIVE_INFINITY),
+                                track.last().clearance(way, round.least)))
+                .filter(EvasiveMove::isClear);
+    }
+}
