@@ -20,6 +20,9 @@ final class SilentCorridor {
     private static final double STEP_METERS = 12;
 
     private static final double MOST_STEPS = 40;
+    /** Whoever stops it does so before its fail-safe for a lost cloud acts. */
+    private static final double STOPS_WITHIN_SECONDS = 6;
+
     /** Beside what its way takes. */
     private static final double MARGIN_SECONDS = 60;
     /** No battery lasts longer for one that stands in the air. */
@@ -57,10 +60,22 @@ final class SilentCorridor {
                 tracks.add(forecast.homeward(drone, missing, Math.max(0, gone - until)));
             }
         }
-        if (!flew && !drone.comesDown() && gone < STANDS_SECONDS) {
+        if (flew && gone < home) {
+            standingOnItsWay(tracks);
+        } else if (!flew && !drone.comesDown() && gone < STANDS_SECONDS) {
             tracks.add(forecast.standing(from));
         }
         return tracks;
+    }
+
+    /** Somebody at the vehicle, or its own fail-safe, may have stopped it soon after it was heard last. */
+    private void standingOnItsWay(List<Track> tracks) {
+        double longest = Math.min(gone, STOPS_WITHIN_SECONDS);
+        double step = Math.max(1, STEP_METERS / cruise());
+        for (double seconds = 0; seconds <= longest; seconds += step) {
+            TrackSample there = forecast.mission(drone, from, seconds, cruise()).samples().get(0);
+            tracks.add(forecast.standing(there));
+        }
     }
 
     private double cruise() {
