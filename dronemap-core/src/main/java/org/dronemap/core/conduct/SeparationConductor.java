@@ -137,6 +137,7 @@ public final class SeparationConductor implements AutoCloseable {
                 silence(state),
                 counts ? intent : null,
                 handling,
+                holder == null ? null : holder.id(),
                 velocities.velocity(state.id()),
                 isByHand(state, handling) ? paces.byHand(state) : paces.of(state));
     }

@@ -77,7 +77,7 @@ final class DepartureGuard {
         Optional<TrackedDrone> above = round.picture.drones().stream()
                 .filter(other -> !other.id().equals(drone.id()))
                 .filter(other -> ways(other).stream()
-                        .anyMatch(way -> up.stream().anyMatch(mine -> isInTheWay(mine, way, other))))
+                        .anyMatch(way -> up.stream().anyMatch(mine -> isInTheWay(drone, mine, way, other))))
                 .findFirst();
         above.ifPresentOrElse(other -> waitFor(drone, other), () -> {
             round.yielding.remove(drone.id());
@@ -108,10 +108,11 @@ final class DepartureGuard {
         }
     }
 
-    /** Who flies by its plan was planned for: no room is left beside the least distance. */
-    private boolean isInTheWay(Track mine, Track way, TrackedDrone other) {
-        boolean planned = other.step() == FlightIntent.Step.FLY || other.step() == FlightIntent.Step.GO_ON;
-        return mine.clearance(way, round.least) < (planned ? AS_PLANNED : 1);
+    /** Who flies by the same plan was planned for: no room is left beside the least distance. */
+    private boolean isInTheWay(TrackedDrone drone, Track mine, Track way, TrackedDrone other) {
+        boolean flies = other.step() == FlightIntent.Step.FLY || other.step() == FlightIntent.Step.GO_ON;
+        boolean planned = flies && SeparationRound.isPlannedTogether(drone, other);
+        return mine.clearance(way, round.least(drone, other)) < (planned ? AS_PLANNED : 1);
     }
 
     private static boolean isAboutToGoOn(TrackedDrone drone) {
@@ -131,7 +132,8 @@ final class DepartureGuard {
         Track mine = round.far.mission(drone, here);
         Optional<TrackedDrone> other = others(drone)
                 .filter(one -> round.far(one).stream()
-                        .anyMatch(way -> isInTheWay(mine, way, one) || (rolls(drone) && isNear(mine, way))))
+                        .anyMatch(way -> isInTheWay(drone, mine, way, one)
+                                || (rolls(drone) && isNear(mine, way, round.least(drone, one)))))
                 .findFirst();
         other.ifPresentOrElse(one -> waitFor(drone, one), () -> round.yielding.remove(drone.id()));
     }
@@ -144,8 +146,8 @@ final class DepartureGuard {
         return drone.waits() && drone.speed() > STANDS_SPEED;
     }
 
-    private boolean isNear(Track mine, Track way) {
-        return mine.beginsNear(way, ROLLS_METERS, round.least);
+    private static boolean isNear(Track mine, Track way, Separation least) {
+        return mine.beginsNear(way, ROLLS_METERS, least);
     }
 
     /** Who gave way in the air may go on when all is clear. */
@@ -167,9 +169,12 @@ final class DepartureGuard {
         }
         boolean home = goesHome(drone);
         Track mine = home ? round.far.homeward(drone, here) : round.far.mission(drone, here);
-        boolean clear = others(drone)
-                .flatMap(other -> round.far(other).stream())
-                .allMatch(way -> mine.isPassable(way, round.least) && (home || !rolls(drone) || !isNear(mine, way)));
+        boolean mayRoll = home || !rolls(drone);
+        boolean clear = others(drone).allMatch(other -> {
+            Separation least = round.least(drone, other);
+            return round.far(other).stream()
+                    .allMatch(way -> mine.isPassable(way, least) && (mayRoll || !isNear(mine, way, least)));
+        });
         round.yielding.put(drone.id(), own.clear(clear));
         if (!clear && own.lasting(round.picture.now()).compareTo(LONGEST_STANDOFF) > 0) {
             new WayMaking(round).makeWay(drone, mine);

@@ -45,11 +45,12 @@ public final class SeparationGuard {
         }
         List<Track> mine = round.near(one);
         List<Track> yours = round.near(other);
-        if (!round.isConflict(mine, yours)) {
+        Separation least = round.least(one, other);
+        if (!isConflict(mine, yours, least)) {
             return;
         }
         // Who comes home by itself is the last to be stopped, and not before it must be.
-        boolean soon = round.isConflict(soon(mine), soon(yours));
+        boolean soon = isConflict(soon(mine), soon(yours), least);
         boolean homeward = mayOnlyComeHome(one) || mayOnlyComeHome(other);
         boolean solved = waits(one, mine, other, yours, false)
                 || dodge(one, other, true)
@@ -60,6 +61,10 @@ public final class SeparationGuard {
             hold(other, one);
             hold(one, other);
         }
+    }
+
+    private static boolean isConflict(List<Track> some, List<Track> others, Separation least) {
+        return some.stream().anyMatch(one -> others.stream().anyMatch(other -> one.conflicts(other, least)));
     }
 
     private boolean mayOnlyComeHome(TrackedDrone drone) {
@@ -74,12 +79,13 @@ public final class SeparationGuard {
     private boolean waits(TrackedDrone one, List<Track> mine, TrackedDrone other, List<Track> yours, boolean homeward) {
         if (other.comesDown() == homeward
                 && mayHold(other)
-                && !round.isConflict(mine, SeparationRound.stopping(yours))) {
+                && !isConflict(mine, SeparationRound.stopping(yours), round.least(one, other))) {
             hold(other, one);
             return true;
         }
-        boolean first =
-                one.comesDown() == homeward && mayHold(one) && !round.isConflict(SeparationRound.stopping(mine), yours);
+        boolean first = one.comesDown() == homeward
+                && mayHold(one)
+                && !isConflict(SeparationRound.stopping(mine), yours, round.least(one, other));
         if (first) {
             hold(one, other);
         }
@@ -125,19 +131,12 @@ public final class SeparationGuard {
         if ((entirely && mayOnlyComeHome(drone)) || here == null || !mayDodge(drone)) {
             return Optional.empty();
         }
-        List<Track> others = round.picture.drones().stream()
-                .filter(other -> !other.id().equals(drone.id()))
-                .flatMap(other -> round.near(other).stream())
-                .toList();
         return EvasiveMove.of(
                         drone,
                         here,
                         round.near,
                         there -> round.mayGo(drone, there),
-                        track -> others.stream()
-                                .mapToDouble(other -> track.clearance(other, round.least))
-                                .min()
-                                .orElse(Double.POSITIVE_INFINITY))
+                        track -> round.clearance(drone, track, round::near))
                 .filter(found -> !entirely || found.isClear());
     }
 

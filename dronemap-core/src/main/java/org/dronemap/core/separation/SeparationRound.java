@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
@@ -20,11 +21,12 @@ final class SeparationRound {
     private static final double CLEAR_SECONDS = 14;
 
     private static final double ROOM_METERS = 2;
-    /** Heights wander by so much; layers are exactly as far apart as they must be. */
+    /** Heights wander by so much; layers of one plan are exactly as far apart as they must be. */
     private static final double WANDER_METERS = 0.6;
 
     final AirspacePicture picture;
-    final Separation least;
+    private final Separation planned;
+    private final Separation unplanned;
     final LocalPlane plane;
     final TrackForecast near;
     final TrackForecast far;
@@ -35,7 +37,8 @@ final class SeparationRound {
 
     SeparationRound(AirspacePicture picture, Map<DroneId, Yielding> before) {
         this.picture = picture;
-        this.least = picture.least().plus(ROOM_METERS, -WANDER_METERS);
+        this.planned = picture.least().plus(ROOM_METERS, -WANDER_METERS);
+        this.unplanned = picture.least().plus(ROOM_METERS, WANDER_METERS);
         this.plane = new LocalPlane(picture.drones().stream()
                 .flatMap(drone -> Optional.ofNullable(drone.point()).stream())
                 .findFirst()
@@ -73,8 +76,28 @@ final class SeparationRound {
                 .toList();
     }
 
-    boolean isConflict(List<Track> some, List<Track> others) {
-        return some.stream().anyMatch(one -> others.stream().anyMatch(other -> one.conflicts(other, least)));
+    /** What two of them are kept apart by. */
+    Separation least(TrackedDrone one, TrackedDrone other) {
+        Separation of = isPlannedTogether(one, other) ? planned : unplanned;
+        return of.plus(0, VerticalMargin.between(one, other));
+    }
+
+    static boolean isPlannedTogether(TrackedDrone one, TrackedDrone other) {
+        return one.operation() != null && one.operation().equals(other.operation());
+    }
+
+    /** The least of what it is apart from all others on such a way. */
+    double clearance(TrackedDrone drone, Track way, Function<TrackedDrone, List<Track>> ways) {
+        double clearance = Double.POSITIVE_INFINITY;
+        for (TrackedDrone other : picture.drones()) {
+            if (!other.id().equals(drone.id())) {
+                Separation least = least(drone, other);
+                for (Track track : ways.apply(other)) {
+                    clearance = Math.min(clearance, way.clearance(track, least));
+                }
+            }
+        }
+        return clearance;
     }
 
     @Nullable

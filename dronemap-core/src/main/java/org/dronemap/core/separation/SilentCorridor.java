@@ -73,7 +73,8 @@ final class SilentCorridor {
         double longest = Math.min(gone, STOPS_WITHIN_SECONDS);
         double step = Math.max(1, STEP_METERS / cruise());
         for (double seconds = 0; seconds <= longest; seconds += step) {
-            TrackSample there = forecast.mission(drone, from, seconds, cruise()).samples().get(0);
+            TrackSample there =
+                    forecast.mission(drone, from, seconds, cruise()).samples().get(0);
             tracks.add(forecast.standing(there));
         }
     }

@@ -22,6 +22,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param silence for how long nothing was heard; zero while its link is live
  * @param intent null: nobody here means it to do anything
+ * @param operation the id of the operation that has it; null: none has
  * @param velocity over the ground, as its positions show it
  * @param pace as far as it was seen, or is told by its intent
  */
@@ -30,6 +31,7 @@ public record TrackedDrone(
         Duration silence,
         @Nullable FlightIntent intent,
         Handling handling,
+        @Nullable String operation,
         GroundVelocity velocity,
         FlightPace pace) {
     /** Below this over its home it lands, and is not stopped any more. */

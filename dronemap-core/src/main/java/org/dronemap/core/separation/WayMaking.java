@@ -1,6 +1,5 @@
 package org.dronemap.core.separation;
 
-import java.util.List;
 import java.util.Optional;
 
 /** Has drones that stand in the way of another one step aside: two that wait for each other would stand for ever. */
@@ -15,9 +14,10 @@ final class WayMaking {
     void makeWay(TrackedDrone drone, Track way) {
         round.picture.drones().stream()
                 .filter(other -> !other.id().equals(drone.id()) && mayBeMoved(drone, other))
-                .filter(other -> round.far(other).stream().anyMatch(track -> !way.isPassable(track, round.least)))
+                .filter(other ->
+                        round.far(other).stream().anyMatch(track -> !way.isPassable(track, round.least(drone, other))))
                 .findFirst()
-                .ifPresent(other -> step(other, way).ifPresent(step -> {
+                .ifPresent(other -> step(other, drone, way).ifPresent(step -> {
                     String words = step.words() + ", to make way for " + drone.name();
                     round.command(
                             other,
@@ -44,28 +44,21 @@ final class WayMaking {
                 && !other.isCommanded();
     }
 
-    private Optional<EvasiveMove> step(TrackedDrone other, Track way) {
+    private Optional<EvasiveMove> step(TrackedDrone other, TrackedDrone drone, Track way) {
         TrackSample here = round.far.here(other);
         if (here == null) {
             return Optional.empty();
         }
-        List<Track> others = round.picture.drones().stream()
-                .filter(one -> !one.id().equals(other.id()))
-                .flatMap(one -> round.far(one).stream())
-                .toList();
+        Separation least = round.least(drone, other);
         // The way is flown once it is clear: then the other one stands aside already.
         return EvasiveMove.of(
                         other,
                         here,
                         round.far,
-                        there -> round.mayGo(other, there)
-                                && round.far.standing(there).clearance(way, round.least) >= 1,
+                        there -> round.mayGo(other, there),
                         track -> Math.min(
-                                others.stream()
-                                        .mapToDouble(one -> track.clearance(one, round.least))
-                                        .min()
-                                        .orElse(Double.POSITIVE_INFINITY),
-                                track.last().clearance(way, round.least)))
+                                round.clearance(other, track, round::far),
+                                track.last().clearance(way, least)))
                 .filter(EvasiveMove::isClear);
     }
 }

@@ -267,6 +267,7 @@ final class RunTestBench {
                     silent ? seen.silence() : Duration.ZERO,
                     intent,
                     held ? Handling.COMMANDED : Handling.FOREIGN,
+                    held ? "run" : null,
                     GroundVelocity.NONE,
                     FlightPace.of(seen.state().identification().kind())));
         }
