@@ -1,0 +1,194 @@
+package org.dronemap.core.separation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.stream.Stream;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.LinkState;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Drones of different owners that would come too near to each other. */
+class SeparationGuardTest {
+    private Map<DroneId, Yielding> yielding = Map.of();
+    private Instant now = FlyingDrone.NOW;
+    private List<SeparationOrder> orders = List.of();
+
+    private SeparationGuardTest look(FlyingDrone... drones) {
+        AirspacePicture picture = new AirspacePicture(
+                now, Stream.of(drones).map(FlyingDrone::seen).toList(), Separation.USUAL, (drone, there) -> true);
+        SeparationDecision decision = SeparationGuard.decide(picture, yielding);
+        yielding = decision.yielding();
+        orders = decision.orders();
+        return this;
+    }
+
+    private GiveWay give(FlyingDrone drone) {
+        return Objects.requireNonNull(yielding.get(drone.id)).give();
+    }
+
+    @Test
+    void oneOfTwoThatCrossWaitsAndTheOtherGoesOn() {
+        FlyingDrone one = new FlyingDrone("a", -60, 0).to(60, 0, 20);
+        FlyingDrone other = new FlyingDrone("b", 0, -60).to(0, 60, 20);
+        look(one, other);
+
+        assertThat(orders)
+                .singleElement()
+                .satisfies(order -> assertThat(order.command()).isEqualTo(new Command.PauseMission()));
+        assertThat(yielding.values())
+                .singleElement()
+                .satisfies(one1 -> assertThat(one1.give().manner()).isEqualTo(GiveWay.Manner.STOP));
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {6.5, -6.5})
+    void thoseOfTwoOwnersPassWithMoreThanTheLeastHeightBetween(double above) {
+        FlyingDrone one = new FlyingDrone("a", -60, 0).to(60, 0, 20);
+        FlyingDrone other = new FlyingDrone("b", 0, -60).to(0, 60, 20 + above);
+        other.height = 20 + above;
+        assertThat(look(one, other).orders).isEmpty();
+        other.to(0, 60, 20 + above * 0.8);
+        other.height = 20 + above * 0.8;
+        assertThat(look(one, other).orders).isNotEmpty();
+    }
+
+    /** 9 m are enough where both count from one ground; the homes of these two lie 3 m apart in height, as they say. */
+    @Test
+    void heightsDoNotCountAmongThoseThatAreNotLevel() {
+        FlyingDrone one = new FlyingDrone("a", -60, 0).to(60, 0, 20);
+        FlyingDrone other = new FlyingDrone("b", 0, -60).to(0, 60, 29);
+        other.height = 29;
+        assertThat(look(one, other).orders).isEmpty();
+        other.homeAmsl = FlyingDrone.GROUND + 3;
+        other.height = 26;
+        assertThat(look(one, other).orders).isNotEmpty();
+    }
+
+    @Test
+    void whoIsFlownByHandIsNeverCommandedAndOthersLeaveItsReach() {
+        FlyingDrone own = new FlyingDrone("a", 0, 0).stands("GUIDED");
+        FlyingDrone hand = new FlyingDrone("b", 40, 0).byHand();
+        hand.northward = 8;
+        look(own, hand);
+
+        assertThat(orders).singleElement().satisfies(order -> {
+            assertThat(order.to()).isEqualTo(own.id);
+            assertThat(order.command()).isInstanceOf(Command.GoTo.class);
+        });
+        assertThat(give(own).words()).contains("to make room for Copter b");
+        own.height = 30;
+        yielding = Map.of();
+        assertThat(look(own, hand).orders).isEmpty();
+    }
+
+    @Test
+    void onPadsNearEachOtherOneTakesOffAfterTheOther() {
+        FlyingDrone first = new FlyingDrone("a", 0, 0).risesTo(0, 100, 20);
+        FlyingDrone second = new FlyingDrone("b", 5, 0).risesTo(5, 100, 20);
+        look(first, second);
+        assertThat(yielding).containsOnlyKeys(second.id);
+        assertThat(give(second).manner()).isEqualTo(GiveWay.Manner.WAIT);
+
+        first.armed = true;
+        look(first, second);
+        assertThat(yielding).containsOnlyKeys(second.id);
+
+        first.airborne = true;
+        first.mode = "AUTO";
+        first.height = 20;
+        first.north = 90;
+        first.to(0, 300, 20);
+        first.step = FlightIntent.Step.FLY;
+        look(first, second);
+        assertThat(yielding).isEmpty();
+    }
+
+    @Test
+    void nobodyTakesOffBelowOneThatHoversThere() {
+        FlyingDrone rising = new FlyingDrone("a", 0, 0).risesTo(0, 100, 20);
+        FlyingDrone above = new FlyingDrone("b", 3, 3).byHand();
+        look(rising, above);
+        assertThat(give(rising).to()).isEqualTo(above.id);
+    }
+
+    @Test
+    void thePlaceOfASilentDroneIsKeptUntilItMustBeDown() {
+        FlyingDrone silent = new FlyingDrone("b", 0, 0).stands("GUIDED");
+        silent.link = LinkState.LOST;
+        silent.silence = Duration.ofSeconds(60);
+        FlyingDrone successor = new FlyingDrone("a", 0, -50).to(0, 0, 20);
+        assertThat(look(successor, silent).orders).isNotEmpty();
+
+        yielding = Map.of();
+        silent.silence = Duration.ofMinutes(46);
+        assertThat(look(successor, silent).orders).isEmpty();
+    }
+
+    /** Its fail-safe brings it home within half a minute; somebody at the vehicle may have stopped it before. */
+    @Test
+    void oneThatFellSilentOnItsMissionMayStandOnItsWay() {
+        FlyingDrone silent = new FlyingDrone("b", 0, 0).to(0, 400, 20);
+        silent.homeNorth = -300;
+        silent.link = LinkState.LOST;
+        silent.silence = Duration.ofSeconds(40);
+        FlyingDrone successor = new FlyingDrone("a", 50, 24).to(0, 24, 20);
+        assertThat(look(successor, silent).orders).isNotEmpty();
+    }
+
+    @Test
+    void twoThatStandAndWaitForEachOtherDoNotWaitForEver() {
+        FlyingDrone one = new FlyingDrone("a", 0, 0).stands("GUIDED");
+        FlyingDrone other = new FlyingDrone("b", 20, 0).stands("GUIDED");
+        one.step = FlightIntent.Step.FLY;
+        other.step = FlightIntent.Step.FLY;
+        one.to(60, 0, 20);
+        other.to(-40, 0, 20);
+        one.eastward = 0;
+        other.eastward = 0;
+        yielding = Map.of(one.id, stood(other), other.id, stood(one));
+        look(one, other);
+        assertThat(orders).isEmpty();
+
+        now = now.plusSeconds(5);
+        look(one, other);
+        assertThat(orders)
+                .singleElement()
+                .satisfies(order -> assertThat(order.why()).contains("to make way for Copter a"));
+    }
+
+    private static Yielding stood(FlyingDrone to) {
+        return Yielding.restored(
+                new GiveWay(to.id, "Copter " + to.id, GiveWay.Manner.STOP, FlyingDrone.NOW, false, null));
+    }
+
+    @Test
+    void whoGaveWayIsShownThatItIsClearAndForgottenOnceItGoesOn() {
+        FlyingDrone one = new FlyingDrone("a", 0, 0).stands("GUIDED");
+        one.step = FlightIntent.Step.FLY;
+        FlyingDrone passed = new FlyingDrone("b", 0, 300).to(0, 600, 20);
+        yielding = Map.of(one.id, stood(passed));
+        look(one, passed);
+        assertThat(give(one).clear()).isTrue();
+
+        one.mode = "AUTO";
+        look(one, passed);
+        assertThat(yielding).isEmpty();
+    }
+
+    @Test
+    void whatHasFallenIsInNobodysWay() {
+        FlyingDrone one = new FlyingDrone("a", 0, -40).to(0, 60, 20);
+        FlyingDrone fallen = new FlyingDrone("b", 0, 0).stands("AUTO");
+        fallen.step = FlightIntent.Step.LIE;
+        fallen.handling = Handling.FOREIGN;
+        assertThat(look(one, fallen).orders).isEmpty();
+    }
+}
