@@ -40,7 +40,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Looks at all drones twice a second, whoever flies them, and has those that operations command give way to others. Its
+ * Looks at all drones four times a second, whoever flies them, and has those that operations command give way to others. Its
  * commands go through the gate under the control of the drone's own operation.
  */
 public final class SeparationConductor implements AutoCloseable {
