@@ -131,7 +131,7 @@ public final class SeparationConductor implements AutoCloseable {
     private TrackedDrone tracked(
             DroneState state, @Nullable FlightIntent intent, LeaseHolder.@Nullable Operation holder) {
         Handling handling = holder == null ? Handling.FOREIGN : intent == null ? Handling.STEERED : Handling.COMMANDED;
-        boolean counts = holder != null || (intent != null && intent.step() == FlightIntent.Step.LIE);
+        boolean counts = holder != null || (intent != null && intent.countsForAnybody());
         return new TrackedDrone(
                 state,
                 silence(state),

@@ -51,6 +51,11 @@ public record FlightIntent(
         this(step, items, pace, commanded, since, Bounds.NONE);
     }
 
+    /** Also of a drone that no operation has any more, or yet: that it lies, or rises. */
+    public boolean countsForAnybody() {
+        return step == Step.LIE || step == Step.RISE;
+    }
+
     public FlightIntent {
         items = List.copyOf(items);
     }

@@ -5,11 +5,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.LongAdder;
 import org.dronemap.core.drone.DroneId;
 
 /** Exchange between operations, which say what they mean to do, and the guard, which says who gives way. Any thread. */
 public final class SeparationBoard {
     private final Map<String, Map<DroneId, FlightIntent>> intents = new ConcurrentHashMap<>();
+    private final LongAdder rounds = new LongAdder();
     private volatile Map<DroneId, GiveWay> giveWays = Map.of();
     private volatile Map<DroneId, List<PossiblePlace>> silent = Map.of();
 
@@ -31,12 +33,18 @@ public final class SeparationBoard {
 
     public void publish(Map<DroneId, GiveWay> next, Map<DroneId, List<PossiblePlace>> unheard) {
         giveWays = Map.copyOf(next);
+        rounds.increment();
         silent = Map.copyOf(unheard);
     }
 
     /** Where each drone that is not heard may be now; nowhere: it must be down. */
     public Map<DroneId, List<PossiblePlace>> silent() {
         return silent;
+    }
+
+    /** How often the guard has looked; 0: nobody keeps drones apart here. */
+    public long rounds() {
+        return rounds.sum();
     }
 
     /** To whom drones give way now. Read before the drones' states: who was sent on is shown so by then. */

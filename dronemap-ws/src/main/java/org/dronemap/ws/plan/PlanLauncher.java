@@ -7,9 +7,11 @@ import java.util.concurrent.CompletableFuture;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.conduct.TakeOffClearance;
 import org.dronemap.core.drone.Capabilities;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.mission.MissionItem;
 import org.dronemap.ws.access.Caller;
 import org.dronemap.ws.command.CommandRequest;
 import org.dronemap.ws.command.CommandService;
@@ -37,6 +39,7 @@ final class PlanLauncher {
 
     private final PlanJobExecutor desk;
     private final CommandService commands;
+    private final TakeOffClearance clearance;
     private final PlanJob job;
     private final Principal principal;
     private final String face;
@@ -46,9 +49,16 @@ final class PlanLauncher {
     record Start(boolean wanted, @Nullable String onCloudLoss) {}
 
     /** {@code caller}: who accepted the plan. */
-    PlanLauncher(PlanJobExecutor desk, CommandService commands, PlanJob job, Caller caller, Start start) {
+    PlanLauncher(
+            PlanJobExecutor desk,
+            CommandService commands,
+            TakeOffClearance clearance,
+            PlanJob job,
+            Caller caller,
+            Start start) {
         this.desk = desk;
         this.commands = commands;
+        this.clearance = clearance;
         this.job = job;
         this.principal = caller.principal();
         this.face = caller.face();
@@ -121,10 +131,21 @@ final class PlanLauncher {
     private CompletableFuture<Boolean> startOne(Tour tour) {
         DroneId drone = tour.drone();
         return whenDue(tour)
+                .thenComposeAsync(due -> goesOn(due, drone) ? whenClear(tour) : NO, desk.launches())
                 .thenComposeAsync(due -> goesOn(due, drone) ? enterCommandMode(drone) : NO, desk.launches())
                 .thenComposeAsync(ready -> goesOn(ready, drone) ? arm(drone) : NO, desk.launches())
                 .thenComposeAsync(
-                        armed -> goesOn(armed, drone) ? begin(drone) : armed ? disarm(drone) : NO, desk.launches());
+                        armed -> goesOn(armed, drone) ? begin(drone) : armed ? disarm(drone) : NO, desk.launches())
+                .whenComplete((begun, thrown) -> clearance.forget(drone));
+    }
+
+    /** True as soon as it rises into nobody's way, or nobody is to be started any more. */
+    private CompletableFuture<Boolean> whenClear(Tour tour) {
+        List<MissionItem> items = commands.known(principal, tour.drone().value())
+                .map(state -> state.mission().items())
+                .orElse(List.of());
+        settle(tour.drone(), DroneLaunchStatus.Stage.WAITING, null);
+        return clearance.await(tour.drone(), items == null ? List.of() : items, job.stopped());
     }
 
     /** True at the time of its departure, or as soon as nobody is to be started any more. */

@@ -11,6 +11,7 @@ import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.OutcomeCode;
+import org.dronemap.core.conduct.TakeOffClearance;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.geo.Geodesy;
@@ -43,15 +44,22 @@ public final class PlanService {
     private final PlanReader reader;
     private final DroneService drones;
     private final CommandService commands;
+    private final TakeOffClearance clearance;
     private final Clock clock;
     private final RandomGenerator random;
 
     public PlanService(
-            PlanJobExecutor desk, DroneService drones, CommandService commands, ZoneRegistry zones, Time time) {
+            PlanJobExecutor desk,
+            DroneService drones,
+            CommandService commands,
+            ZoneRegistry zones,
+            TakeOffClearance clearance,
+            Time time) {
         this.desk = desk;
         this.reader = new PlanReader(drones, zones, time.clock());
         this.drones = drones;
         this.commands = commands;
+        this.clearance = clearance;
         this.clock = time.clock();
         this.random = time.random();
     }
@@ -117,7 +125,7 @@ public final class PlanService {
         if (!begun) {
             throw Rejection.of(OperationProblem.PLAN_UNDER_WAY, "Its missions are on their way to the drones already.");
         }
-        CompletableFuture<Void> run = new PlanLauncher(desk, commands, job, caller, start).run(tours);
+        CompletableFuture<Void> run = new PlanLauncher(desk, commands, clearance, job, caller, start).run(tours);
         return desk.time()
                 .within(run.<Optional<Void>>thenApply(ended -> Optional.empty()), wait, Optional.empty())
                 .thenApply(ended -> PlanViewMapper.whole(job));

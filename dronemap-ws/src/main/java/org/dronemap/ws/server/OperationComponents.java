@@ -18,11 +18,16 @@ import org.dronemap.core.time.Time;
 import org.dronemap.ws.journal.FollowJournalCodec;
 import org.dronemap.ws.journal.RunJournalCodec;
 
-/** The components that conduct operations, with the two kinds there are: mission runs and follows. */
+/**
+ * The components that conduct operations, with the two kinds there are: mission runs and follows.
+ *
+ * @param board where all operations say what they mean to do, and see to whom their drones give way
+ */
 public record OperationComponents(
         Operations operations,
         OperationKind<RunState, RunInput> kind,
-        OperationKind<FollowState, FollowInput> follows) {
+        OperationKind<FollowState, FollowInput> follows,
+        SeparationBoard board) {
     /** Stored with each mission run. */
     private static final String MISSION_RUN = "missionRun";
 
@@ -42,6 +47,6 @@ public record OperationComponents(
         OperationKind<FollowState, FollowInput> follows =
                 new OperationKind<>(FOLLOW, new FollowOperation(apart), new FollowJournalCodec());
         return new OperationComponents(
-                new Operations(cloud, store, rights, board, time, List.of(kind, follows)), kind, follows);
+                new Operations(cloud, store, rights, board, time, List.of(kind, follows)), kind, follows, board);
     }
 }

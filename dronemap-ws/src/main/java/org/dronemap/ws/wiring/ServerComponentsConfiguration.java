@@ -17,6 +17,7 @@ import org.dronemap.core.audit.AuditRecorder;
 import org.dronemap.core.audit.AuditStore;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.conduct.Operations;
+import org.dronemap.core.conduct.TakeOffClearance;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.history.FlightRegistry;
 import org.dronemap.core.history.HistoryRecorder;
@@ -170,6 +171,11 @@ class ServerComponentsConfiguration {
     @Part
     Operations operations(ServerComponents server) {
         return server.runs().operations();
+    }
+
+    @Part
+    TakeOffClearance takeOffClearance(ServerComponents server) {
+        return new TakeOffClearance(server.runs().board(), server.time());
     }
 
     @Part

@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.cloud.lane.Watchdog;
+import org.dronemap.core.conduct.TakeOffClearance;
 import org.dronemap.core.history.HistoryPolicy;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.process.ProcessStart;
@@ -100,8 +101,9 @@ public final class SteppedServer implements AutoCloseable {
                 new ZoneService.Stores(house.zones(), cloud.zones(), house.access()), drones, time.clock());
         PlanJobExecutor jobs = new PlanJobExecutor(PlanJobExecutor.Limits.of(time.parallelism()), time);
         closing.add("the plans", jobs);
-        plans = new PlanService(jobs, drones, commands, cloud.zones(), time);
         OperationComponents operations = house.runs();
+        TakeOffClearance clearance = new TakeOffClearance(operations.board(), time);
+        plans = new PlanService(jobs, drones, commands, cloud.zones(), clearance, time);
         RunService.OperationContext running =
                 new RunService.OperationContext(operations.operations(), operations.kind(), cloud);
         runs = new RunService(running, plans, drones, time);
