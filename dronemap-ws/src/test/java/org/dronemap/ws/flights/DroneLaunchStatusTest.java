@@ -12,11 +12,13 @@ import java.util.stream.IntStream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.ws.access.Caller;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.MissionRunFlight;
 import org.dronemap.ws.lab.Pilot;
+import org.dronemap.ws.lab.VehicleSpec;
 import org.dronemap.ws.lab.VehicleTrack;
 import org.dronemap.ws.plan.PlanRequest;
 import org.dronemap.ws.plan.PlanView;
@@ -63,6 +65,43 @@ class DroneLaunchStatusTest {
             lab.until(
                     "all are home", Duration.ofMinutes(5), () -> drones.stream().allMatch(LabDrone::isDown));
             requireVisits(drones, result);
+        }
+    }
+
+    @Test
+    void nobodyIsStartedBelowAnotherOneThatHoversThere() {
+        try (Laboratory lab = new Laboratory(2)) {
+            LabDrone starts = lab.copter();
+            LabDrone hovers =
+                    lab.ready(lab.add(VehicleSpec.COPTER, new LocalFrame(47.3977, 8.5456 + 3 / 75_300.0, 488)));
+            Pilot ann = lab.pilot("ann", Role.OPERATOR);
+            Pilot bob = lab.pilot("bob", Role.OPERATOR);
+            PlanView plan = MissionRunFlight.planned(lab, ann, List.of(starts), waypoints(starts));
+            bob.takesOff(hovers, 15);
+            lab.until("it hovers", Duration.ofMinutes(1), () -> hovers.height() > 14);
+
+            var unused = lab.server()
+                    .plans()
+                    .accept(
+                            new Caller(ann.principal(), "laboratory"),
+                            plan.id(),
+                            new PlanRequest.AcceptRequest(true, null),
+                            Duration.ZERO);
+            lab.untilSeen(
+                    "it waits",
+                    Duration.ofMinutes(1),
+                    () -> stages(lab, ann, plan).equals(List.of("waiting")));
+            lab.throughout(
+                    "it is not armed",
+                    Duration.ofSeconds(20),
+                    () -> !starts.craft().armed());
+
+            bob.fliesTo(hovers, hovers.place(0, 60), 15);
+            lab.untilSeen(
+                    "it has started",
+                    Duration.ofMinutes(1),
+                    () -> stages(lab, ann, plan).equals(List.of("started")));
+            assertThat(hovers.distanceTo(starts.place(0, 0))).isGreaterThan(20);
         }
     }
 
