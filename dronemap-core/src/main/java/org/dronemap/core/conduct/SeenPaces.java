@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class SeenPaces {
     /** Whoever hovers may set off as fast as that. */
-    private static final double LEAST_BY_HAND = 3;
+    private static final double LEAST_MANUAL = 3;
     /** With each look: what was seen half a minute ago counts half. */
     private static final double FORGETTING = 0.994;
 
@@ -43,9 +43,9 @@ final class SeenPaces {
     }
 
     /** Of one that somebody steers. */
-    FlightPace byHand(DroneState drone) {
+    FlightPace manual(DroneState drone) {
         FlightPace usual = FlightPace.of(drone.identification().kind());
-        double cruise = Math.max(LEAST_BY_HAND, lately.getOrDefault(drone.id(), 0.0));
+        double cruise = Math.max(LEAST_MANUAL, lately.getOrDefault(drone.id(), 0.0));
         return new FlightPace(cruise, usual.climb(), usual.descent(), usual.acceleration());
     }
 

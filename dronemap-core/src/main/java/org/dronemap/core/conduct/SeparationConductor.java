@@ -139,10 +139,10 @@ public final class SeparationConductor implements AutoCloseable {
                 handling,
                 holder == null ? null : holder.id(),
                 velocities.velocity(state.id()),
-                isByHand(state, handling) ? paces.byHand(state) : paces.of(state));
+                isManual(state, handling) ? paces.manual(state) : paces.of(state));
     }
 
-    private static boolean isByHand(DroneState state, Handling handling) {
+    private static boolean isManual(DroneState state, Handling handling) {
         Optional<Steering> steering = state.capabilities().steering(state.mode());
         return handling == Handling.FOREIGN
                 && (steering.isEmpty() || steering.get().waitsForSomebody());
