@@ -162,26 +162,34 @@ final class DepartureGuard {
             if (!wants) {
                 round.yielding.remove(drone.id());
             }
-            return;
+        } else if (drone.waits() && !drone.isCommanded() && !own.isBusy(round.picture.now())) {
+            checkStand(drone, here, own);
         }
-        if (!drone.waits() || drone.isCommanded() || own.isBusy(round.picture.now())) {
-            return;
-        }
+    }
+
+    private void checkStand(TrackedDrone drone, TrackSample here, Yielding own) {
         boolean home = goesHome(drone);
         Track mine = home ? round.far.homeward(drone, here) : round.far.mission(drone, here);
-        boolean mayRoll = home || !rolls(drone);
-        boolean clear = others(drone).allMatch(other -> {
+        boolean clear = isClear(drone, mine, home || !rolls(drone));
+        round.yielding.put(drone.id(), own.clear(clear));
+        if (clear) {
+            return;
+        }
+        Duration lasting = own.lasting(round.picture.now());
+        if (lasting.compareTo(LONGEST_STANDOFF) > 0) {
+            new WayMaking(round).makeWay(drone, mine);
+        }
+        if (home && lasting.compareTo(LONGEST_YIELD) > 0) {
+            climbOver(drone, here, own);
+        }
+    }
+
+    private boolean isClear(TrackedDrone drone, Track mine, boolean mayRoll) {
+        return others(drone).allMatch(other -> {
             Separation least = round.least(drone, other);
             return round.far(other).stream()
                     .allMatch(way -> mine.isPassable(way, least) && (mayRoll || !isNear(mine, way, least)));
         });
-        round.yielding.put(drone.id(), own.clear(clear));
-        if (!clear && own.lasting(round.picture.now()).compareTo(LONGEST_STANDOFF) > 0) {
-            new WayMaking(round).makeWay(drone, mine);
-        }
-        if (!clear && home && own.lasting(round.picture.now()).compareTo(LONGEST_YIELD) > 0) {
-            climbOver(drone, here, own);
-        }
     }
 
     private static boolean goesHome(TrackedDrone drone) {

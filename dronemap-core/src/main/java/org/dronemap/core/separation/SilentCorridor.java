@@ -50,15 +50,7 @@ final class SilentCorridor {
             onItsMission(tracks);
         }
         if (gone < Math.max(home, flew ? mission : 0)) {
-            tracks.add(forecast.homeward(drone, from, gone));
-            for (double until : UNTIL_HOMEWARD_SECONDS) {
-                TrackSample missing = flew
-                        ? forecast.mission(drone, from, Math.min(gone, until), cruise())
-                                .samples()
-                                .get(0)
-                        : from;
-                tracks.add(forecast.homeward(drone, missing, Math.max(0, gone - until)));
-            }
+            onItsWayHome(tracks, flew);
         }
         if (flew && gone < home) {
             standingOnItsWay(tracks);
@@ -68,14 +60,25 @@ final class SilentCorridor {
         return tracks;
     }
 
+    private void onItsWayHome(List<Track> tracks, boolean flew) {
+        tracks.add(forecast.homeward(drone, from, gone));
+        for (double until : UNTIL_HOMEWARD_SECONDS) {
+            TrackSample missing = flew ? flown(Math.min(gone, until)) : from;
+            tracks.add(forecast.homeward(drone, missing, Math.max(0, gone - until)));
+        }
+    }
+
+    /** Where it is on its mission after so long. */
+    private TrackSample flown(double seconds) {
+        return forecast.mission(drone, from, seconds, cruise()).samples().get(0);
+    }
+
     /** Somebody at the vehicle, or its own fail-safe, may have stopped it soon after it was heard last. */
     private void standingOnItsWay(List<Track> tracks) {
         double longest = Math.min(gone, STOPS_WITHIN_SECONDS);
         double step = Math.max(1, STEP_METERS / cruise());
         for (double seconds = 0; seconds <= longest; seconds += step) {
-            TrackSample there =
-                    forecast.mission(drone, from, seconds, cruise()).samples().get(0);
-            tracks.add(forecast.standing(there));
+            tracks.add(forecast.standing(flown(seconds)));
         }
     }
 

@@ -10,14 +10,12 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.OutcomeCode;
-import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.Mission;
 import org.dronemap.core.mission.MissionItem;
-import org.dronemap.core.separation.GiveWay;
 import org.dronemap.core.virtual.VirtualFixtures.Drone;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
@@ -28,9 +26,6 @@ class VirtualRunMachineTest {
 
     private final VirtualRunMachine machine = new VirtualRunMachine(SILENCE);
     private final Drone drone = new Drone("d1", 100);
-
-    private @Nullable GiveWay giveWay;
-
     private VirtualRun run = VirtualFixtures.bound(3, "d1");
     private Instant now = VirtualFixtures.NOW;
     private Duration still = Duration.ZERO;
@@ -363,39 +358,6 @@ class VirtualRunMachineTest {
         assertThat(run.stage()).isEqualTo(VirtualRunStage.FLYING);
     }
 
-    private static GiveWay give(GiveWay.Manner manner, boolean clear) {
-        return new GiveWay(new DroneId("d9"), "Copter d9", manner, VirtualFixtures.NOW, clear, null);
-    }
-
-    @Test
-    void isNotArmedWhileAnotherOneIsInItsWay() {
-        assertThat(sent(null)).isInstanceOf(Command.UploadMission.class);
-        step(new Outcome.Succeeded());
-        giveWay = give(GiveWay.Manner.WAIT, false);
-        assertThat(sent(null)).isNull();
-        assertThat(run.note()).contains("waits on the ground");
-        giveWay = null;
-        assertThat(sent(null)).isInstanceOf(Command.Arm.class);
-    }
-
-    /** Else it would be called home, as one that left its mission. */
-    @Test
-    void waitsWhileItsDroneGivesWayAndSendsItOnAfterwards() {
-        flyTo(2);
-        drone.mode = "GUIDED";
-        giveWay = give(GiveWay.Manner.STOP, false);
-        assertThat(step(null).send()).isNull();
-        assertThat(run.stage()).isEqualTo(VirtualRunStage.FLYING);
-        assertThat(run.note()).contains("waits until another one has passed");
-        giveWay = give(GiveWay.Manner.STOP, true);
-        now = now.plusSeconds(10);
-        assertThat(step(null).send()).isEqualTo(new Command.StartMission(run.onCloudLoss()));
-        drone.mode = "AUTO";
-        giveWay = null;
-        step(new Outcome.Succeeded());
-        assertThat(run.note()).isEqualTo("The drone flies the mission.");
-    }
-
     private VirtualTourSection share() {
         return run.tour().share(0, 20.0);
     }
@@ -430,6 +392,6 @@ class VirtualRunMachineTest {
 
     private VirtualRunObservation sight(
             @Nullable Outcome outcome, @Nullable String takenBy, Duration silence, boolean mayFly) {
-        return new VirtualRunObservation(drone.state(), takenBy, outcome, false, silence, still, mayFly, giveWay, now);
+        return new VirtualRunObservation(drone.state(), takenBy, outcome, false, silence, still, mayFly, null, now);
     }
 }

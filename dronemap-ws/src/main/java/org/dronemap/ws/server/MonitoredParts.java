@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import org.dronemap.core.cloud.lane.Lanes;
 import org.dronemap.core.cloud.lane.StoreWriter;
-import org.dronemap.core.conduct.Operations;
 import org.dronemap.core.conduct.SeparationConductor;
 import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.proxy.endpoint.EndpointRegistry;
@@ -18,7 +17,7 @@ record MonitoredParts(
         Lanes lanes,
         StoreWriter journal,
         VirtualDrones virtuals,
-        Operations operations,
+        OperationComponents runs,
         SeparationConductor separation,
         EndpointRegistry vehicles,
         RoslinkConnector robots) {
@@ -31,7 +30,7 @@ record MonitoredParts(
         List<ServerPart> parts = new ArrayList<>();
         lanes.all().forEach(lane -> parts.add(ServerPart.thread(lane.name(), LONGEST_ON_A_LANE, lane::atTheSame)));
         parts.add(ServerPart.thread("conductor", LONGEST_WRITE, virtuals::busyFor));
-        parts.add(ServerPart.thread("operations", LONGEST_WRITE, operations::busyFor));
+        parts.add(ServerPart.thread("operations", LONGEST_WRITE, runs.operations()::busyFor));
         parts.add(ServerPart.thread("separation", LONGEST_WRITE, separation::busyFor));
         parts.add(ServerPart.thread("journal", LONGEST_WRITE, journal::busyFor));
         parts.add(new ServerPart("endpoints", this::endpointTrouble));

@@ -10,6 +10,7 @@ import org.dronemap.cognitive.operation.run.model.RunInput;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.conduct.OperationRights;
 import org.dronemap.core.conduct.Operations;
+import org.dronemap.core.conduct.SeparationConductor;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.OperationStore;
 import org.dronemap.core.separation.Separation;
@@ -33,6 +34,14 @@ public record OperationComponents(
 
     /** Stored with each follow. */
     private static final String FOLLOW = "follow";
+
+    /** Begun before anybody conducts anything: who gives way to whom is known before drones are judged by it. */
+    static SeparationConductor separation(
+            CloudManager cloud, Separation apart, SeparationBoard board, ShutdownSequence closing, Time time) {
+        SeparationConductor separation = new SeparationConductor(cloud, board, apart.aimedFor(), time);
+        separation.start();
+        return closing.adding("the separation of drones", separation);
+    }
 
     /** Not started yet; {@code apart}: what drones that follow keep from others. */
     public static OperationComponents of(

@@ -101,8 +101,7 @@ public final class ServerBuilder {
     /** Everything but the links: nothing is heard and nothing sent yet. */
     public ServerComponents open(Stores stores) {
         ServerComponents.AuditComponents audit = new AuditBuilder(settings, time).open(stores, closing);
-        StoreWriter journal = new StoreWriter(time);
-        closing.add("the journal", journal);
+        StoreWriter journal = closing.adding("the journal", new StoreWriter(time));
         HistoryBuilder histories = new HistoryBuilder(settings.history(), telemetry(stores), closing, time);
         CloudManager cloud = cloud(stores, commands(stores, audit), journal);
         GrantRegistry grants = grants(stores, cloud, audit);
@@ -115,7 +114,7 @@ public final class ServerBuilder {
         MavlinkConnector links = links(cloud, keyrings, taps(recorder, clients), doors(dtlsKeys), stores.links());
         RobotKeyRing robotKeys = new RobotKeyRing(stores.links());
         RoslinkConnector robotSide = robots(cloud, recorder, robotKeys, doors(dtlsKeys));
-        SeparationConductor separation = separation(cloud);
+        SeparationConductor separation = OperationComponents.separation(cloud, settings.apart(), board, closing, time);
         VirtualDrones virtuals = virtualDrones(cloud, stores, grants, audit);
         OperationComponents runs = runs(cloud, stores, grants);
         return new ServerComponents(
@@ -137,8 +136,7 @@ public final class ServerBuilder {
                 runs,
                 audit,
                 new Argon2Passwords(),
-                new MonitoredParts(lanes, journal, virtuals, runs.operations(), separation, links.links(), robotSide)
-                        .all(),
+                new MonitoredParts(lanes, journal, virtuals, runs, separation, links.links(), robotSide).all(),
                 beginning);
     }
 
@@ -219,15 +217,6 @@ public final class ServerBuilder {
         return grants;
     }
 
-    /** Before anybody conducts anything: who gives way to whom is known before drones are judged by it. */
-    private SeparationConductor separation(CloudManager cloud) {
-        SeparationConductor separation =
-                new SeparationConductor(cloud, board, settings.apart().aimedFor(), time);
-        separation.start();
-        closing.add("the separation of drones", separation);
-        return separation;
-    }
-
     /** Takes up what was under way, before any vehicle is heard and anybody else can command. */
     private VirtualDrones virtualDrones(
             CloudManager cloud, Stores stores, GrantRegistry grants, ServerComponents.AuditComponents audit) {
@@ -244,8 +233,7 @@ public final class ServerBuilder {
         } else {
             virtuals.start();
         }
-        closing.add("the virtual drones", virtuals);
-        return virtuals;
+        return closing.adding("the virtual drones", virtuals);
     }
 
     /** As for virtual drones. */

@@ -18,6 +18,12 @@ public final class ShutdownSequence implements AutoCloseable {
         steps.push(new Step(name, resource));
     }
 
+    /** The same resource, which is closed in its turn from now on. */
+    <T extends AutoCloseable> T adding(String name, T resource) {
+        add(name, resource);
+        return resource;
+    }
+
     @Override
     public synchronized void close() {
         while (!steps.isEmpty()) {

@@ -84,9 +84,7 @@ public final class TestServer implements AutoCloseable {
     private static final TelemetryWriter.BatchSettings EAGER =
             new TelemetryWriter.BatchSettings(Duration.ofMillis(10), 1_000, 10_000, Duration.ofMillis(10));
 
-    /** Each step of a virtual drone waits for the next look. */
     private static final Duration RHYTHM_OF_VIRTUALS = Duration.ofMillis(40);
-
     private static final ServerSettings.Protection PATIENT_WITH_ALL =
             new ServerSettings.Protection(ClientLimits.DEFAULT, BudgetRates.UNBOUNDED);
 

@@ -32,17 +32,6 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.operation.OperationAction;
 import org.dronemap.core.operation.OperationDecision;
 import org.dronemap.core.operation.OperationObservation;
-import org.dronemap.core.separation.AirspacePicture;
-import org.dronemap.core.separation.FlightIntent;
-import org.dronemap.core.separation.FlightPace;
-import org.dronemap.core.separation.GiveWay;
-import org.dronemap.core.separation.GroundVelocity;
-import org.dronemap.core.separation.Handling;
-import org.dronemap.core.separation.SeparationDecision;
-import org.dronemap.core.separation.SeparationGuard;
-import org.dronemap.core.separation.SeparationOrder;
-import org.dronemap.core.separation.TrackedDrone;
-import org.dronemap.core.separation.Yielding;
 import org.dronemap.core.time.SteppedTime;
 
 /** Conducts a run with vehicles of the tests in virtual time, as fast as it can be computed, and watches what must hold. */
@@ -66,11 +55,7 @@ final class RunTestBench {
     /** What the vehicle, or the gate, answers instead of doing it. */
     Function<OperationAction.SendCommand<RunInput>, Optional<Outcome>> refuses = give -> Optional.empty();
 
-    /** What keeps drones apart, and does not arrive. */
-    Predicate<SeparationOrder> losesOrders = order -> false;
-
-    final List<String> orders = new ArrayList<>();
-    private Map<DroneId, Yielding> yielding = Map.of();
+    private final TestAirspace airspace = new TestAirspace();
     double closest = Double.POSITIVE_INFINITY;
     String where = "";
     private final Map<DroneId, DroneState> heard = new HashMap<>();
@@ -159,10 +144,7 @@ final class RunTestBench {
     TestVehicle makesRoom(int number, int other, String mode, long seconds) {
         TestVehicle vehicle = vehicle(number);
         vehicle.mode = mode;
-        DroneId to = vehicle(other).id;
-        GiveWay give = new GiveWay(
-                to, "Drone " + to.value(), GiveWay.Manner.MOVE, now, false, "climbs 6 m, to make room for Drone " + to);
-        yielding = Map.of(vehicle.id, new Yielding(give, now, now.plusSeconds(seconds), true));
+        airspace.makesRoom(vehicle.id, vehicle(other).id, now, seconds);
         fly(STEP.toMillis() / 1_000.0);
         return vehicle;
     }
@@ -246,44 +228,24 @@ final class RunTestBench {
                         vehicle.transfer),
                 link == LinkState.LIVE ? Duration.ZERO : silence,
                 link == LinkState.LIVE ? still : Duration.ZERO,
-                Optional.ofNullable(yielding.get(vehicle.id))
-                        .map(Yielding::give)
-                        .orElse(null));
+                airspace.giveWay(vehicle.id));
     }
 
     /** As the conductor of separation does, with what the run means its drones to do. */
     private void keepApart() {
-        Map<DroneId, FlightIntent> intents = run.intents(state, now);
-        List<TrackedDrone> drones = new ArrayList<>();
-        for (OperationObservation.ObservedDrone seen : scene().drones()) {
-            DroneId id = seen.state().id();
-            boolean held = seen.whyNotCommandable() == null;
-            FlightIntent meant = intents.get(id);
-            boolean lies = meant != null && meant.step() == FlightIntent.Step.LIE;
-            FlightIntent intent = held || lies ? meant : null;
-            boolean silent = seen.state().link().state() == LinkState.LOST;
-            drones.add(new TrackedDrone(
-                    seen.state(),
-                    silent ? seen.silence() : Duration.ZERO,
-                    intent,
-                    held ? Handling.COMMANDED : Handling.FOREIGN,
-                    held ? "run" : null,
-                    GroundVelocity.NONE,
-                    FlightPace.of(seen.state().identification().kind())));
-        }
-        AirspacePicture picture =
-                new AirspacePicture(now, drones, state.setting().rules().separation(), (drone, there) -> true);
-        SeparationDecision decision = SeparationGuard.decide(picture, yielding);
-        yielding = decision.yielding();
-        decision.orders().forEach(order -> {
-            orders.add(order.why());
-            later(now.plusMillis(300), false, () -> {
-                TestVehicle vehicle = Objects.requireNonNull(vehicles.get(order.to()));
-                if (!vehicle.cut && !losesOrders.test(order)) {
-                    vehicle.carryOut(order.command());
-                }
-            });
-        });
+        airspace.look(
+                        now,
+                        run.intents(state, now),
+                        scene(),
+                        state.setting().rules().separation())
+                .forEach(order -> {
+                    later(now.plusMillis(300), false, () -> {
+                        TestVehicle vehicle = Objects.requireNonNull(vehicles.get(order.to()));
+                        if (!vehicle.cut) {
+                            vehicle.carryOut(order.command());
+                        }
+                    });
+                });
     }
 
     private static DroneState linked(DroneState s, LinkState link) {
