@@ -15,6 +15,8 @@ final class VirtualGivingWay {
     /** Before it is sent on once more. */
     private static final Duration BETWEEN_ORDERS = Duration.ofSeconds(4);
 
+    private static final Duration LONGEST_WAIT = Duration.ofMinutes(3);
+
     private static final String ON_THE_GROUND = "The drone waits on the ground until another one has passed.";
     private static final String IN_THE_AIR = "The drone waits until another one has passed.";
 
@@ -28,23 +30,41 @@ final class VirtualGivingWay {
                     ? Optional.of(VirtualRunStep.unchanged(run.withNote("The drone flies the mission.", sight.now())))
                     : Optional.empty();
         }
-        if (give.manner() == GiveWay.Manner.WAIT) {
-            boolean onTheGround = run.stage() == ARMING && !Boolean.TRUE.equals(drone.armed());
-            return onTheGround
-                    ? Optional.of(VirtualRunStep.unchanged(run.withNote(ON_THE_GROUND, sight.now())))
-                    : Optional.empty();
-        }
+        return give.manner() == GiveWay.Manner.WAIT
+                ? onTheGround(run, drone, sight)
+                : inTheAir(run, drone, sight, give.clear());
+    }
+
+    private static Optional<VirtualRunStep> onTheGround(VirtualRun run, DroneState drone, VirtualRunObservation sight) {
+        return run.stage() == ARMING && !Boolean.TRUE.equals(drone.armed())
+                ? Optional.of(VirtualRunStep.unchanged(run.withNote(ON_THE_GROUND, sight.now())))
+                : Optional.empty();
+    }
+
+    private static Optional<VirtualRunStep> inTheAir(
+            VirtualRun run, DroneState drone, VirtualRunObservation sight, boolean clear) {
         boolean stands = drone.capabilities()
                 .steering(drone.mode())
                 .filter(Steering::acceptsCommands)
                 .isPresent();
-        if (!drone.airborne() || (!stands && give.clear())) {
+        if (!drone.airborne() || (!stands && clear)) {
             return Optional.empty();
         }
+        if (!clear && isStuck(run, sight)) {
+            return Optional.of(VirtualRunMachine.giveUp(
+                    run, "Another drone does not leave the way; the drone is called home.", sight));
+        }
         return Optional.of(
-                give.clear() && mayOrder(run, sight)
+                clear && mayOrder(run, sight)
                         ? VirtualRunStep.send(run, onward(run, drone))
                         : VirtualRunStep.unchanged(run.withNote(IN_THE_AIR, sight.now())));
+    }
+
+    /** Its battery is not for waiting. */
+    private static boolean isStuck(VirtualRun run, VirtualRunObservation sight) {
+        return run.stage() == FLYING
+                && run.note().equals(IN_THE_AIR)
+                && Duration.between(run.changedAt(), sight.now()).compareTo(LONGEST_WAIT) > 0;
     }
 
     private static boolean mayOrder(VirtualRun run, VirtualRunObservation sight) {

@@ -352,7 +352,7 @@ public final class VirtualRunMachine {
         return why == null ? "It did not show in time." : why;
     }
 
-    private static VirtualRunStep giveUp(VirtualRun run, String why, VirtualRunObservation sight) {
+    static VirtualRunStep giveUp(VirtualRun run, String why, VirtualRunObservation sight) {
         return VirtualRunStep.unchanged(run.to(GIVING_UP, why, sight.now()));
     }
 

@@ -45,9 +45,23 @@ class VirtualGivingWayTest {
         assertThat(step(null)).isInstanceOf(Command.Arm.class);
     }
 
-    /** Else it would be called home, as one that left its mission. */
+    /** Its battery is not for waiting for one that hovers on its way for ever. */
     @Test
-    void waitsWhileItsDroneGivesWayAndSendsItOnAfterwards() {
+    void comesHomeWhenTheOtherOneDoesNotLeaveItsWay() {
+        fly();
+        drone.mode = "GUIDED";
+        giveWay = give(GiveWay.Manner.STOP, false);
+        step(null);
+        now = now.plusSeconds(170);
+        step(null);
+        assertThat(run.stage()).isEqualTo(VirtualRunStage.FLYING);
+        now = now.plusSeconds(20);
+        step(null);
+        assertThat(run.stage()).isEqualTo(VirtualRunStage.GIVING_UP);
+        assertThat(run.note()).contains("does not leave the way");
+    }
+
+    private void fly() {
         step(null);
         step(new Outcome.Succeeded());
         drone.flies().carries(run.tour().share(0, 20.0), 2, 0, 1);
@@ -55,6 +69,12 @@ class VirtualGivingWayTest {
         step(null);
         step(null);
         assertThat(run.stage()).isEqualTo(VirtualRunStage.FLYING);
+    }
+
+    /** Else it would be called home, as one that left its mission. */
+    @Test
+    void waitsWhileItsDroneGivesWayAndSendsItOnAfterwards() {
+        fly();
         drone.mode = "GUIDED";
         giveWay = give(GiveWay.Manner.STOP, false);
         assertThat(step(null)).isNull();
