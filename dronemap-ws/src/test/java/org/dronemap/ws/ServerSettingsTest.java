@@ -155,6 +155,8 @@ class ServerSettingsTest {
         "DRONEMAP_SLOW_CLIENT_SECONDS, 301, 'from 1 to 300'",
         "DRONEMAP_OIDC_ISSUER, http://login.example.org, 'https://login.example.org'",
         "DRONEMAP_OIDC_ISSUER, https://login.example.org, DRONEMAP_OIDC_ADDRESS",
+        "DRONEMAP_FOLLOW_SEPARATION_METERS, 12, 'now called DRONEMAP_SEPARATION_METERS'",
+        "DRONEMAP_FOLLOW_SEPARATION_HEIGHT_METERS, 6, 'now called DRONEMAP_SEPARATION_HEIGHT_METERS'",
         "DRONEMAP_SEPARATION_METERS, 7.9, '8 to 50 metres, not \"7.9\"'",
         "DRONEMAP_SEPARATION_METERS, NaN, '8 to 50 metres'",
         "DRONEMAP_SEPARATION_HEIGHT_METERS, 31, '3 to 30 metres, not \"31\"'",

@@ -2,6 +2,7 @@ package org.dronemap.ws.settings;
 
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Stream;
 import org.dronemap.core.separation.Separation;
 import org.dronemap.ws.environment.SetupException;
 
@@ -13,6 +14,7 @@ final class SeparationSettingsReader {
     private SeparationSettingsReader() {}
 
     static Separation apart(Map<String, String> environment) {
+        Stream.of(GROUND, HEIGHT).forEach(name -> refuseFormerName(environment, name));
         Separation otherwise = Separation.USUAL;
         return new Separation(
                 meters(
@@ -27,6 +29,14 @@ final class SeparationSettingsReader {
                         otherwise.verticalMeters(),
                         Separation.LEAST_VERTICAL_METERS,
                         Separation.MOST_VERTICAL_METERS));
+    }
+
+    /** Left unread, a wider distance that somebody had set would be gone in silence. */
+    private static void refuseFormerName(Map<String, String> environment, String name) {
+        String former = name.replace("DRONEMAP_", "DRONEMAP_FOLLOW_");
+        if (!environment.getOrDefault(former, "").isBlank()) {
+            throw new SetupException(former + " is now called " + name + ", and holds for all drones in the air.");
+        }
     }
 
     private static double meters(
