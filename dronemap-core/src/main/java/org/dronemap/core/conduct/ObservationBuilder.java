@@ -20,6 +20,7 @@ import org.dronemap.core.separation.PossiblePlace;
 import org.dronemap.core.separation.SeparationBoard;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.Zone;
+import org.jspecify.annotations.Nullable;
 
 /** Builds the observations of its drones that an operation decides on. Owned by the conductor's thread. */
 final class ObservationBuilder {
@@ -64,9 +65,14 @@ final class ObservationBuilder {
                     controlStatus(of, reins, state.id()),
                     silence.of(state),
                     stillness.of(state),
-                    giveWays.get(state.id())));
+                    giveWay(giveWays.get(state.id()), state.id(), drones)));
         }
         return new OperationObservation(clock.instant(), seen);
+    }
+
+    /** Whoever reads what an operation saw may not know of drones that are none of its own. */
+    private static @Nullable GiveWay giveWay(@Nullable GiveWay give, DroneId self, Set<DroneId> own) {
+        return give == null || own.contains(give.to()) ? give : give.withoutNaming(self);
     }
 
     /** The same with what is around these drones. */

@@ -49,7 +49,6 @@ public final class SeparationConductor implements AutoCloseable {
 
     private static final Logger LOG = LoggerFactory.getLogger(SeparationConductor.class);
     private static final Duration RHYTHM = Duration.ofMillis(250);
-    private static final String ANOTHER = "another drone";
 
     private final CloudManager cloud;
     private final SeparationBoard board;
@@ -61,6 +60,7 @@ public final class SeparationConductor implements AutoCloseable {
     private final VelocityEstimates velocities = new VelocityEstimates();
     private final SeenPaces paces = new SeenPaces();
     private final ExecutionThread thread;
+    private volatile @Nullable String trouble;
     // Owned by the thread.
     private Map<DroneId, Yielding> yielding = Map.of();
     /** Of which it was found out once whether they stood for others before the process began. */
@@ -89,9 +89,18 @@ public final class SeparationConductor implements AutoCloseable {
     private void turn() {
         try {
             look();
+            trouble = null;
         } catch (RuntimeException e) {
-            LOG.error("Drones could not be kept apart in this turn; the next one tries again", e);
+            if (trouble == null) {
+                LOG.error("Drones could not be kept apart in this turn; the next one tries again", e);
+            }
+            trouble = "Drones are not kept apart: " + e.getMessage();
         }
+    }
+
+    /** Why drones are not kept apart now, as a sentence; empty: they are. Any thread. */
+    public Optional<String> trouble() {
+        return Optional.ofNullable(trouble);
     }
 
     private void look() {
@@ -119,6 +128,7 @@ public final class SeparationConductor implements AutoCloseable {
         }
         velocities.retainOnly(seen);
         paces.retainOnly(seen);
+        examined.retainAll(seen);
         restore(drones, now);
         AirspacePicture picture =
                 new AirspacePicture(now, drones, least, (drone, goTo) -> mayGo(holders.get(drone.id()), drone, goTo));
@@ -195,8 +205,7 @@ public final class SeparationConductor implements AutoCloseable {
             }
             List<CommandRecord> last = cloud.gate().commandsOf(drone.id(), 1);
             if (!last.isEmpty() && last.get(0).face().equals(FACE)) {
-                GiveWay give = new GiveWay(drone.id(), ANOTHER, GiveWay.Manner.STOP, now, false, null);
-                known.putIfAbsent(drone.id(), Yielding.restored(give));
+                known.putIfAbsent(drone.id(), Yielding.restored(GiveWay.toAnother(drone.id(), now)));
             }
         }
         yielding = known;

@@ -31,8 +31,10 @@ public final class TakeOffClearance {
      *
      * @param items its mission
      * @param stopped it shall not rise any more: then it need not wait either
+     * @param blocked is run once it has to wait for another drone
      */
-    public CompletableFuture<Boolean> await(DroneId drone, List<MissionItem> items, CompletableFuture<?> stopped) {
+    public CompletableFuture<Boolean> await(
+            DroneId drone, List<MissionItem> items, CompletableFuture<?> stopped, Runnable blocked) {
         long asked = board.rounds();
         if (asked == 0) {
             return CompletableFuture.completedFuture(true);
@@ -40,16 +42,20 @@ public final class TakeOffClearance {
         FlightIntent intent = new FlightIntent(
                 FlightIntent.Step.RISE, items, null, true, time.clock().instant());
         board.intend(key(drone), Map.of(drone, intent));
-        return look(drone, asked + ROUNDS_TO_SEE, stopped);
+        return look(drone, asked + ROUNDS_TO_SEE, stopped, blocked);
     }
 
-    private CompletableFuture<Boolean> look(DroneId drone, long round, CompletableFuture<?> stopped) {
-        boolean clear = board.rounds() >= round && board.giveWay(drone).isEmpty();
-        if (clear || stopped.isDone()) {
+    private CompletableFuture<Boolean> look(DroneId drone, long round, CompletableFuture<?> stopped, Runnable blocked) {
+        boolean free = board.giveWay(drone).isEmpty();
+        if ((free && board.rounds() >= round) || stopped.isDone()) {
             return CompletableFuture.completedFuture(true);
         }
+        if (!free) {
+            blocked.run();
+        }
+        Runnable next = free ? blocked : () -> {};
         return time.within(new CompletableFuture<Boolean>(), BETWEEN_LOOKS, true)
-                .thenCompose(later -> look(drone, round, stopped));
+                .thenCompose(later -> look(drone, round, stopped, next));
     }
 
     /** It is in the air, or stays on the ground. */

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -74,8 +75,7 @@ final class DepartureGuard {
         }
         Track at = round.far.mission(drone, here);
         List<Track> up = List.of(at, at.after(STRIDES_TO_ARM));
-        Optional<TrackedDrone> above = round.picture.drones().stream()
-                .filter(other -> !other.id().equals(drone.id()))
+        Optional<TrackedDrone> above = others(drone)
                 .filter(other -> ways(other).stream()
                         .anyMatch(way -> up.stream().anyMatch(mine -> isInTheWay(drone, mine, way, other))))
                 .findFirst();
@@ -139,7 +139,8 @@ final class DepartureGuard {
     }
 
     private Stream<TrackedDrone> others(TrackedDrone drone) {
-        return round.picture.drones().stream().filter(other -> !other.id().equals(drone.id()));
+        return round.picture.drones().stream()
+                .filter(other -> !other.id().equals(drone.id()) && !round.areFar(drone, other));
     }
 
     private static boolean rolls(TrackedDrone drone) {
@@ -208,13 +209,13 @@ final class DepartureGuard {
                 && !isWaitedForByEarlier(drone, own)
                 && round.mayGo(drone, higher);
         if (may) {
-            String words = "climbs to come home over those who do not pass";
+            String words = String.format(Locale.ROOT, "climbs %.0f m", OVER_METERS);
             round.command(
                     drone,
                     new GiveWay(own.to(), own.give().toName(), GiveWay.Manner.MOVE, round.picture.now(), false, words),
                     OVER_SECONDS,
                     round.goTo(higher),
-                    drone.name() + " " + words + ".");
+                    drone.name() + " climbs to come home over those who do not pass.");
         }
     }
 

@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  * @param toName as people call it
  * @param since when it was told this last
  * @param clear the other one has passed: it may go on
- * @param words what it was told beyond standing, as the end of a sentence; null: just to stand, or not to set off
+ * @param words what it was told beyond standing, such as: climbs 6 m; null: just to stand, or not to set off
  */
 @Stored(names = "to toName manner since clear words")
 public record GiveWay(
@@ -22,6 +22,8 @@ public record GiveWay(
         Instant since,
         boolean clear,
         @Nullable String words) {
+    private static final String ANOTHER = "another drone";
+
     /** Manner of giving way. */
     @Stored(names = "WAIT STOP MOVE")
     public enum Manner {
@@ -31,6 +33,16 @@ public record GiveWay(
         STOP,
         /** It was told to go a few metres aside. */
         MOVE
+    }
+
+    /** The same for people who may know nothing of the other drone. */
+    public GiveWay withoutNaming(DroneId self) {
+        return new GiveWay(self, ANOTHER, manner, since, clear, words);
+    }
+
+    /** After a restart: to whom is not known any more. */
+    public static GiveWay toAnother(DroneId self, Instant now) {
+        return new GiveWay(self, ANOTHER, Manner.STOP, now, false, null);
     }
 
     GiveWay withClear(boolean now) {

@@ -1,6 +1,7 @@
 package org.dronemap.core.separation;
 
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -29,18 +30,38 @@ public final class SeparationGuard {
         SeparationRound round = new SeparationRound(picture, before);
         YieldingReview.review(round);
         SeparationGuard guard = new SeparationGuard(round);
-        List<TrackedDrone> drones = picture.drones();
-        for (int i = 0; i < drones.size(); i++) {
-            for (int j = i + 1; j < drones.size(); j++) {
-                guard.pair(drones.get(i), drones.get(j));
-            }
-        }
+        guard.pairs(picture.drones());
         new DepartureGuard(round).check();
         return round.decision();
     }
 
+    /** Of thousands that are in the air few can be moved: two of which neither can are not looked at. */
+    private void pairs(List<TrackedDrone> drones) {
+        boolean[] moves = new boolean[drones.size()];
+        List<Integer> movable = new ArrayList<>();
+        for (int i = 0; i < moves.length; i++) {
+            moves[i] = mayMove(drones.get(i));
+            if (moves[i]) {
+                movable.add(i);
+            }
+        }
+        for (int i = 0; i < moves.length && !movable.isEmpty(); i++) {
+            if (moves[i]) {
+                for (TrackedDrone other : drones.subList(i + 1, drones.size())) {
+                    pair(drones.get(i), other);
+                }
+            } else {
+                for (int j : movable) {
+                    if (j > i) {
+                        pair(drones.get(i), drones.get(j));
+                    }
+                }
+            }
+        }
+    }
+
     private void pair(TrackedDrone one, TrackedDrone other) {
-        if (!mayMove(one) && !mayMove(other)) {
+        if (round.areFar(one, other) || (!mayMove(one) && !mayMove(other))) {
             return;
         }
         List<Track> mine = round.near(one);
@@ -116,13 +137,7 @@ public final class SeparationGuard {
     }
 
     private void move(TrackedDrone who, TrackedDrone whom, EvasiveMove step) {
-        String words = step.words() + ", to make room for " + whom.name();
-        round.command(
-                who,
-                round.give(whom, GiveWay.Manner.MOVE, words),
-                step.seconds(),
-                round.goTo(step.to()),
-                who.name() + " " + words + ".");
+        round.move(who, whom, step);
     }
 
     /** {@code entirely}: only one that leaves it clear of all, and of none that is on its way home. */

@@ -20,6 +20,9 @@ final class SeparationRound {
     /** Who goes on must not be stopped again at once. */
     private static final double CLEAR_SECONDS = 14;
 
+    /** Nobody is asked to step farther aside. */
+    private static final double ASIDE_METERS = 30;
+
     private static final double ROOM_METERS = 2;
     /** Heights wander by so much; layers of one plan are exactly as far apart as they must be. */
     private static final double WANDER_METERS = 0.6;
@@ -32,6 +35,7 @@ final class SeparationRound {
     final TrackForecast far;
     final Map<DroneId, Yielding> yielding;
     private final List<SeparationOrder> orders = new ArrayList<>();
+    private final Map<DroneId, TrackSample> places = new HashMap<>();
     private final Map<DroneId, List<Track>> nearTracks = new HashMap<>();
     private final Map<DroneId, List<Track>> farTracks = new HashMap<>();
 
@@ -76,6 +80,37 @@ final class SeparationRound {
                 .toList();
     }
 
+    /** Whatever they do, they do not meet while anybody looks ahead; a quick look that spares the close one. */
+    boolean areFar(TrackedDrone one, TrackedDrone other) {
+        TrackSample here = here(one);
+        TrackSample there = here(other);
+        if (here == null || there == null || one.isLost() || other.isLost()) {
+            return false;
+        }
+        double seconds = CLEAR_SECONDS + Track.STRIDE_SECONDS;
+        double reach = seconds * (fastest(one) + fastest(other))
+                + ASIDE_METERS
+                + least(one, other).horizontalMeters();
+        return here.spot().distanceMeters(there.spot()) > reach;
+    }
+
+    private static double fastest(TrackedDrone drone) {
+        return Math.max(TrackForecast.pace(drone).cruise(), drone.speed());
+    }
+
+    /** Null: it is not known where it is. */
+    @Nullable
+    TrackSample here(TrackedDrone drone) {
+        TrackSample known = places.get(drone.id());
+        if (known == null) {
+            known = near.here(drone);
+            if (known != null) {
+                places.put(drone.id(), known);
+            }
+        }
+        return known;
+    }
+
     /** What two of them are kept apart by. */
     Separation least(TrackedDrone one, TrackedDrone other) {
         Separation of = isPlannedTogether(one, other) ? planned : unplanned;
@@ -90,7 +125,7 @@ final class SeparationRound {
     double clearance(TrackedDrone drone, Track way, Function<TrackedDrone, List<Track>> ways) {
         double clearance = Double.POSITIVE_INFINITY;
         for (TrackedDrone other : picture.drones()) {
-            if (!other.id().equals(drone.id())) {
+            if (!other.id().equals(drone.id()) && !areFar(drone, other)) {
                 Separation least = least(drone, other);
                 for (Track track : ways.apply(other)) {
                     clearance = Math.min(clearance, way.clearance(track, least));
@@ -111,6 +146,16 @@ final class SeparationRound {
         orders.add(new SeparationOrder(drone.id(), command, why));
         nearTracks.remove(drone.id());
         farTracks.remove(drone.id());
+    }
+
+    /** It steps aside for the other one. */
+    void move(TrackedDrone who, TrackedDrone whom, EvasiveMove step) {
+        command(
+                who,
+                give(whom, GiveWay.Manner.MOVE, step.words()),
+                step.seconds(),
+                goTo(step.to()),
+                who.name() + " " + step.words() + ", to make room for " + whom.name() + ".");
     }
 
     void put(TrackedDrone drone, GiveWay give, double seconds) {

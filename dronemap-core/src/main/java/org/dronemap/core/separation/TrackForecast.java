@@ -25,6 +25,8 @@ final class TrackForecast {
     private static final Duration UNTIL_OBEYED = Duration.ofMillis(1_500);
     /** Slower over the ground than this it stands. */
     private static final double STANDS_SPEED = 0.7;
+    /** Nothing that lies on the ground moves as fast. */
+    private static final double FLIES_SPEED = 2;
 
     private final LocalPlane plane;
     private final int strides;
@@ -39,7 +41,7 @@ final class TrackForecast {
     /** What it may do; none where it is on the ground, or nobody knows where it is. */
     List<Track> of(TrackedDrone drone) {
         TrackSample here = here(drone);
-        if (here == null || !drone.state().airborne() || drone.step() == FlightIntent.Step.LIE) {
+        if (here == null || !drone.state().airborne() || lies(drone)) {
             return List.of();
         }
         if (drone.isLost()) {
@@ -47,6 +49,11 @@ final class TrackForecast {
         }
         FlightIntent intent = drone.intent();
         return intent == null ? byItself(drone, here) : meant(drone, here, intent);
+    }
+
+    /** One that was taken for a wreck and is seen to fly is in the way of others. */
+    private static boolean lies(TrackedDrone drone) {
+        return drone.step() == FlightIntent.Step.LIE && (drone.isLost() || drone.speed() < FLIES_SPEED);
     }
 
     private List<Track> meant(TrackedDrone drone, TrackSample here, FlightIntent intent) {
@@ -57,7 +64,7 @@ final class TrackForecast {
                 late && drone.waits() ? List.of(mission(drone, here), standing(here)) : List.of(mission(drone, here));
             case STAND -> stands(drone, here, late);
             case COME_HOME -> comesHome(drone, here, intent);
-            case LIE -> List.of();
+            case LIE -> byItself(drone, here);
         };
     }
 

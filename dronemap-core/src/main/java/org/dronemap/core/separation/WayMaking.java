@@ -17,15 +17,7 @@ final class WayMaking {
                 .filter(other ->
                         round.far(other).stream().anyMatch(track -> !way.isPassable(track, round.least(drone, other))))
                 .findFirst()
-                .ifPresent(other -> step(other, drone, way).ifPresent(step -> {
-                    String words = step.words() + ", to make way for " + drone.name();
-                    round.command(
-                            other,
-                            round.give(drone, GiveWay.Manner.MOVE, words),
-                            step.seconds(),
-                            round.goTo(step.to()),
-                            other.name() + " " + words + ".");
-                }));
+                .ifPresent(other -> step(other, drone, way).ifPresent(step -> round.move(other, drone, step)));
     }
 
     /** It stands for us, nothing is under way to it, and of two that wait for each other it is the later one. */

@@ -83,7 +83,8 @@ class SeparationGuardTest {
             assertThat(order.to()).isEqualTo(own.id);
             assertThat(order.command()).isInstanceOf(Command.GoTo.class);
         });
-        assertThat(give(own).words()).contains("to make room for Copter b");
+        assertThat(orders.get(0).why()).contains("to make room for Copter b");
+        assertThat(give(own).words()).doesNotContain("Copter");
         own.height = 30;
         yielding = Map.of();
         assertThat(look(own, hand).orders).isEmpty();
@@ -161,7 +162,7 @@ class SeparationGuardTest {
         look(one, other);
         assertThat(orders)
                 .singleElement()
-                .satisfies(order -> assertThat(order.why()).contains("to make way for Copter a"));
+                .satisfies(order -> assertThat(order.why()).contains("to make room for Copter a"));
     }
 
     private static Yielding stood(FlyingDrone to) {
@@ -190,6 +191,9 @@ class SeparationGuardTest {
         fallen.step = FlightIntent.Step.LIE;
         fallen.handling = Handling.FOREIGN;
         assertThat(look(one, fallen).orders).isEmpty();
+        fallen.northward = -5;
+        assertThat(look(one, fallen).orders).as("it flies after all").isNotEmpty();
+        yielding = Map.of();
         fallen.link = LinkState.LOST;
         fallen.silence = Duration.ofSeconds(30);
         assertThat(look(one, fallen).orders).isEmpty();

@@ -144,8 +144,16 @@ final class PlanLauncher {
         List<MissionItem> items = commands.known(principal, tour.drone().value())
                 .map(state -> state.mission().items())
                 .orElse(List.of());
-        settle(tour.drone(), DroneLaunchStatus.Stage.WAITING, null);
-        return clearance.await(tour.drone(), items == null ? List.of() : items, job.stopped());
+        return clearance.await(
+                tour.drone(),
+                items == null ? List.of() : items,
+                job.stopped(),
+                () -> settle(
+                        tour.drone(),
+                        DroneLaunchStatus.Stage.WAITING,
+                        DroneLaunchStatus.Reason.of(
+                                OperationProblem.TAKE_OFF_NOT_CLEAR,
+                                "It waits on the ground until another drone has left its way up.")));
     }
 
     /** True at the time of its departure, or as soon as nobody is to be started any more. */

@@ -48,6 +48,11 @@ public enum OperationProblem implements ProblemCode {
             RejectionKind.CONFLICT,
             "The start of the plan was stopped before the drone's turn.",
             "It has its mission and was not started, since the start was stopped.")),
+    TAKE_OFF_NOT_CLEAR(ProblemCatalogueEntry.of(
+            "take-off-not-clear",
+            RejectionKind.CONFLICT,
+            "Another drone is in the way of the drone's take-off; it is started as soon as that is gone.",
+            "It waits on the ground until another drone has left its way up.")),
     TOUR_UNDER_WAY(ProblemCatalogueEntry.of(
             "tour-under-way",
             RejectionKind.CONFLICT,

@@ -31,7 +31,10 @@ record MonitoredParts(
         lanes.all().forEach(lane -> parts.add(ServerPart.thread(lane.name(), LONGEST_ON_A_LANE, lane::atTheSame)));
         parts.add(ServerPart.thread("conductor", LONGEST_WRITE, virtuals::busyFor));
         parts.add(ServerPart.thread("operations", LONGEST_WRITE, runs.operations()::busyFor));
-        parts.add(ServerPart.thread("separation", LONGEST_WRITE, separation::busyFor));
+        ServerPart apart = ServerPart.thread("separation", LONGEST_WRITE, separation::busyFor);
+        parts.add(new ServerPart(
+                apart.name(),
+                () -> separation.trouble().or(() -> apart.trouble().get())));
         parts.add(ServerPart.thread("journal", LONGEST_WRITE, journal::busyFor));
         parts.add(new ServerPart("endpoints", this::endpointTrouble));
         return List.copyOf(parts);

@@ -51,13 +51,7 @@ class DroneLaunchStatusTest {
                             .mapToObj(Integer::toString)
                             .toList());
 
-            var unused = lab.server()
-                    .plans()
-                    .accept(
-                            new Caller(ann.principal(), "laboratory"),
-                            plan.id(),
-                            new PlanRequest.AcceptRequest(true, null),
-                            Duration.ZERO);
+            starts(lab, ann, plan);
             lab.untilSeen(
                     "all have started",
                     Duration.ofMinutes(2),
@@ -80,13 +74,7 @@ class DroneLaunchStatusTest {
             bob.takesOff(hovers, 15);
             lab.until("it hovers", Duration.ofMinutes(1), () -> hovers.height() > 14);
 
-            var unused = lab.server()
-                    .plans()
-                    .accept(
-                            new Caller(ann.principal(), "laboratory"),
-                            plan.id(),
-                            new PlanRequest.AcceptRequest(true, null),
-                            Duration.ZERO);
+            starts(lab, ann, plan);
             lab.untilSeen(
                     "it waits",
                     Duration.ofMinutes(1),
@@ -103,6 +91,22 @@ class DroneLaunchStatusTest {
                     () -> stages(lab, ann, plan).equals(List.of("started")));
             assertThat(hovers.distanceTo(starts.place(0, 0))).isGreaterThan(20);
         }
+    }
+
+    private static void starts(Laboratory lab, Pilot ann, PlanView plan) {
+        var unused = lab.server()
+                .plans()
+                .accept(
+                        new Caller(ann.principal(), "laboratory"),
+                        plan.id(),
+                        new PlanRequest.AcceptRequest(true, null),
+                        Duration.ZERO);
+    }
+
+    private static PlanView.DroneLaunchView first(Laboratory lab, Pilot ann, PlanView plan) {
+        PlanView.LaunchView launch = Objects.requireNonNull(
+                lab.server().plans().one(ann.principal(), plan.id()).launch());
+        return launch.drones().get(0);
     }
 
     /** Four by three, west of a home. */

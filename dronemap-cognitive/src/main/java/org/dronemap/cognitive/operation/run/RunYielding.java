@@ -83,7 +83,9 @@ final class RunYielding {
         if (!anew || give.clear()) {
             return;
         }
-        String words = moves ? give.words() : "waits until " + give.toName() + " has passed";
+        String words = moves
+                ? give.words() + ", to make room for " + give.toName()
+                : "waits until " + give.toName() + " has passed";
         draft.explain(RunTrigger.TOO_NEAR, drone.id(), drone.name() + " " + words + ".");
         RunDrone marked = drone.with(drone.flags().waitsFor(give.to()));
         boolean begins = moves && drone.issuedCommand() == null;
