@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Trend of a vehicle's link, compared with how that link usually is.
  *
- * @param secondsLeft about so long until it is lost, if it goes on so; null: not known, or not expected
+ * @param secondsLeft about so long until it is lost, if it goes on so; null: it gets no worse now, or that is not known
  * @param words what is seen, as a sentence
  */
 public record LinkTrend(State state, @Nullable Integer secondsLeft, String words) {

@@ -79,13 +79,13 @@ public final class LinkTrendEstimator {
 
     private LinkTrend judge() {
         boolean bad = measures.stream().anyMatch(LinkMeasure::isWorse);
-        double left = secondsLeft();
-        boolean growing = left <= HORIZON_SECONDS;
         boolean lost = loss.isWorst();
+        double left = lost ? 0 : secondsLeft();
+        boolean growing = left <= HORIZON_SECONDS;
         worse = bad ? worse + 1 : 0;
         usual = measures.stream().allMatch(LinkMeasure::isUsual) ? usual + 1 : 0;
-        signs = Math.max(0, Math.min(SIGNS, signs + (growing || lost ? 1 : -1)));
-        notGrowing = growing || lost ? 0 : notGrowing + 1;
+        signs = Math.max(0, Math.min(SIGNS, signs + (growing ? 1 : -1)));
+        notGrowing = growing ? 0 : notGrowing + 1;
         LinkTrend.State next = next(trend.state());
         return switch (next) {
             case FALLING -> new LinkTrend(next, rounded(left), words(left));
@@ -123,9 +123,11 @@ public final class LinkTrendEstimator {
 
     private String words(double left) {
         Integer seconds = rounded(left);
-        String when = seconds == null || seconds == 0
-                ? "it may be lost at any moment"
-                : "it is expected to be lost in about " + seconds + " s";
+        if (seconds == null) {
+            return "Its link got much worse (" + figures() + ") and is not better yet.";
+        }
+        String when =
+                seconds == 0 ? "it may be lost at any moment" : "it is expected to be lost in about " + seconds + " s";
         return "Its link gets worse (" + figures() + "): " + when + ".";
     }
 

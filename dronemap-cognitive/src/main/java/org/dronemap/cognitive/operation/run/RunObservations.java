@@ -67,7 +67,8 @@ final class RunObservations {
                 state.returnHeight(),
                 progress(drone, state),
                 payload(drone.sortie(), state),
-                seen.control().transfer());
+                seen.control().transfer(),
+                state.link().trend().isFalling() ? state.link().trend().words() : null);
     }
 
     private static PayloadState payload(@Nullable Sortie sortie, DroneState state) {

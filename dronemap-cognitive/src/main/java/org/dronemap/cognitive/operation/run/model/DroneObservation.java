@@ -26,11 +26,13 @@ import org.jspecify.annotations.Nullable;
  * @param canReturn whether it knows a way home of its own, else it is told to land
  * @param returnHeight null: the cloud has not set it
  * @param transfer of its mission, which is under way and may be somebody else's; null: none is
+ * @param fallingLink why its link is expected to be lost soon, as a sentence; null: it is not
  */
 @Stored(
         names = "drone takenBy link silence still ready mode ordersMode steering armed airborne place "
                 + "aboveHomeMeters climb speed tiltDegrees batteryPercent canGoTo canReturn returnHeight "
-                + "progress payload transfer")
+                + "progress payload transfer fallingLink",
+        later = "fallingLink")
 public record DroneObservation(
         DroneId drone,
         @Nullable String holder,
@@ -54,7 +56,8 @@ public record DroneObservation(
         @Nullable ReturnHeight returnHeight,
         Progress progress,
         PayloadState payload,
-        @Nullable String transfer) {
+        @Nullable String transfer,
+        @Nullable String fallingLink) {
     /** m/s over ground: whoever is slower stands. */
     private static final double STANDS_SPEED = 2;
 
