@@ -20,7 +20,7 @@ public enum UnfitCode {
             "Its link loses 30 % of its messages."),
     LINK_FALLING(
             "link-falling",
-            "The link gets worse so quickly that it is expected to be lost soon.",
+            "The drone's link gets worse so quickly that it is expected to be lost soon.",
             "Its link gets worse (34 % of its messages are lost, usually 2 %): it is expected to be lost in about 40 s."),
     OTHER_KIND(
             "kind-not-wanted",

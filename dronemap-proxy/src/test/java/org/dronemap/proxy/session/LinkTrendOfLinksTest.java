@@ -120,6 +120,28 @@ class LinkTrendOfLinksTest {
     }
 
     @Test
+    void aVehicleThatSpeaksSeldomIsNotJudged() {
+        for (int seed = 0; seed < SEEDS; seed++) {
+            Random random = new Random(seed);
+            LinkQualityMeter meter = new LinkQualityMeter(0);
+            long received = 0;
+            long next = 10;
+            for (int second = 1; second < 3_600; second++) {
+                if (second == next) {
+                    received++;
+                    next += 10 + random.nextInt(50);
+                }
+                meter.update(
+                        second * 1_000_000_000L,
+                        new LinkQualityMeter.Counts(received, received / 10, 0),
+                        null,
+                        JitterMeter.Jitter.UNKNOWN);
+                assertThat(meter.trend().state()).isEqualTo(LinkTrend.State.UNKNOWN);
+            }
+        }
+    }
+
+    @Test
     void aGapAloneIsNoFall() {
         for (int seed = 0; seed < SEEDS; seed++) {
             SimulatedLink link = new SimulatedLink(seed, 10, at -> at > 100 && at < 103 ? 1 : 0.02, 20);

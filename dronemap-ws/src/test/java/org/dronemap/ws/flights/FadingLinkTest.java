@@ -9,11 +9,14 @@ import org.dronemap.core.access.Role;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.ws.lab.FadingLink;
 import org.dronemap.ws.lab.LabDrone;
+import org.dronemap.ws.lab.LabVehicleLink;
 import org.dronemap.ws.lab.LabVehicleLink.Quality;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.MissionRunFlight;
 import org.dronemap.ws.lab.Pilot;
+import org.dronemap.ws.lab.VehicleSpec;
 import org.dronemap.ws.lab.ZoneFixtures;
+import org.dronemap.ws.link.DtlsKeyService.DtlsKeyRequest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
@@ -161,6 +164,42 @@ class FadingLinkTest {
             assertThat(link.fades(25, () -> drone.isTold("Let it return home"))).isTrue();
             assertThat(drone.mode()).isEqualTo(GUIDED);
         }
+    }
+
+    /** One of two fades until nothing comes: the drone is reached by the other one. */
+    private static void nothingIsDoneOnTwoLinks(int seeds) {
+        for (int seed = 1; seed <= seeds; seed++) {
+            try (Laboratory lab = new Laboratory(seed)) {
+                LabDrone drone = lab.add(VehicleSpec.COPTER.insisting());
+                Pilot ada = lab.pilot("ada", Role.ADMINISTRATOR);
+                String identity = lab.server()
+                        .office()
+                        .dtlsKeys()
+                        .make(ada.principal(), new DtlsKeyRequest("copter on two links", null))
+                        .identity();
+                drone.wire().is(LabVehicleLink.Kind.dtls(identity));
+                drone.addWire(LabVehicleLink.Kind.dtls(identity)).is(NORMALS.get(seed % NORMALS.size()));
+                lab.ready(drone);
+                ada.plans(drone, 30, drone.place(3_000, 0), drone.place(0, 0)).startsMission(drone);
+                FadingLink link = new FadingLink(lab, drone.wire(), Quality.GOOD, seed);
+                lab.goOn(USUAL);
+                assertThat(link.fades(FADE_SECONDS, drone::isLost)).isFalse();
+                lab.goOn(Duration.ofSeconds(20));
+                assertThat(drone.isTold("It climbs")).as("seed %d", seed).isFalse();
+                assertThat(drone.mode()).isEqualTo(AUTO);
+            }
+        }
+    }
+
+    @Test
+    void doesNothingWhereAnotherLinkIsLeft() {
+        nothingIsDoneOnTwoLinks(4);
+    }
+
+    @Test
+    @Tag("soak")
+    void doesNothingWhereAnotherLinkIsLeftForAHundredSeeds() {
+        nothingIsDoneOnTwoLinks(100);
     }
 
     @Test
