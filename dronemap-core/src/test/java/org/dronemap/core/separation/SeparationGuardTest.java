@@ -190,5 +190,8 @@ class SeparationGuardTest {
         fallen.step = FlightIntent.Step.LIE;
         fallen.handling = Handling.FOREIGN;
         assertThat(look(one, fallen).orders).isEmpty();
+        fallen.link = LinkState.LOST;
+        fallen.silence = Duration.ofSeconds(30);
+        assertThat(look(one, fallen).orders).isEmpty();
     }
 }
