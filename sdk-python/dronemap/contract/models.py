@@ -352,6 +352,18 @@ class DroneIdentityView(Model):
     proved: bool
 
 
+class DroneLinkTrendView(Model):
+    seconds_left: int | None = None
+    """
+    About so long until it is lost, if it goes on so; null where it gets no worse
+    """
+    sentence: str
+    """
+    What is seen, as a sentence
+    """
+    state: Literal["unknown", "steady", "worse", "falling"] | str
+
+
 class DroneLocalView(Model):
     x: float
     y: float
@@ -394,8 +406,11 @@ class DronePositionView(Model):
 
 
 class DroneQualityView(Model):
+    jitter_long_ms: float | None = None
+    jitter_ms: float | None = None
     loss_long: float | None = None
     loss_short: float | None = None
+    rtt_long_ms: float | None = None
     rtt_ms: float | None = None
 
 
@@ -2967,6 +2982,7 @@ class DroneLinkView(Model):
     state: Literal["live", "suspect", "lost", "ended"] | str
     system_id: int
     transport: str
+    trend: DroneLinkTrendView
 
 
 class FenceCircleView(Model):
@@ -3352,6 +3368,7 @@ class RunExplanationView(Model):
             "wentOn",
             "stopped",
             "ended",
+            "linkFalling",
         ]
         | str
     )

@@ -229,6 +229,17 @@ export interface components {
             hardwareId: string | null;
             proved: boolean;
         };
+        DroneLinkTrendView: {
+            /**
+             * Format: int32
+             * @description About so long until it is lost, if it goes on so; null where it gets no worse
+             */
+            secondsLeft: number | null;
+            /** @description What is seen, as a sentence */
+            sentence: string;
+            /** @enum {string} */
+            state: "unknown" | "steady" | "worse" | "falling";
+        };
         DroneLinkView: {
             address: string;
             /** Format: date-time */
@@ -245,6 +256,7 @@ export interface components {
             /** Format: int32 */
             systemId: number;
             transport: string;
+            trend: components["schemas"]["DroneLinkTrendView"];
         };
         DroneLocalView: {
             /** Format: double */
@@ -311,9 +323,15 @@ export interface components {
         };
         DroneQualityView: {
             /** Format: double */
+            jitterLongMs: number | null;
+            /** Format: double */
+            jitterMs: number | null;
+            /** Format: double */
             lossLong: number | null;
             /** Format: double */
             lossShort: number | null;
+            /** Format: double */
+            rttLongMs: number | null;
             /** Format: double */
             rttMs: number | null;
         };
@@ -1122,7 +1140,7 @@ export interface components {
              * @description What it was decided for
              * @enum {string}
              */
-            trigger: "start" | "takenOver" | "lost" | "heardAgain" | "gone" | "crashed" | "lowBattery" | "wentHome" | "cameDown" | "removed" | "offPath" | "late" | "commandFailed" | "waypointsAdded" | "waypointMoved" | "waypointCancelled" | "fenceAdded" | "joined" | "resumed" | "givenUp" | "tooNear" | "betterPlan" | "answered" | "restarted" | "paused" | "wentOn" | "stopped" | "ended";
+            trigger: "start" | "takenOver" | "lost" | "heardAgain" | "gone" | "crashed" | "lowBattery" | "wentHome" | "cameDown" | "removed" | "offPath" | "late" | "commandFailed" | "waypointsAdded" | "waypointMoved" | "waypointCancelled" | "fenceAdded" | "joined" | "resumed" | "givenUp" | "tooNear" | "betterPlan" | "answered" | "restarted" | "paused" | "wentOn" | "stopped" | "ended" | "linkFalling";
             words: string;
         };
         RunFiguresView: {
@@ -3770,6 +3788,7 @@ export type DroneFurtherBatteryView = components['schemas']['DroneFurtherBattery
 export type DroneGpsView = components['schemas']['DroneGpsView'];
 export type DroneHomeView = components['schemas']['DroneHomeView'];
 export type DroneIdentityView = components['schemas']['DroneIdentityView'];
+export type DroneLinkTrendView = components['schemas']['DroneLinkTrendView'];
 export type DroneLinkView = components['schemas']['DroneLinkView'];
 export type DroneLocalView = components['schemas']['DroneLocalView'];
 export type DroneMessageView = components['schemas']['DroneMessageView'];

@@ -29,6 +29,7 @@ export type {
   DroneGpsView as Gps,
   DroneHomeView as Home,
   DroneQualityView as LinkQuality,
+  DroneLinkTrendView as LinkTrend,
   DroneLocalView as LocalPosition,
   DroneMotionView as Motion,
   DronePositionView as Position,

@@ -77,6 +77,8 @@ const TITLES: Record<string, string> = {
   lossShort: 'Messages lost (5 s)',
   lossLong: 'Messages lost (60 s)',
   roundTrip: 'Round trip',
+  jitter: 'Jitter (5 s)',
+  jitterLong: 'Jitter (60 s)',
   missionItem: 'Mission item',
   latitude: 'Latitude',
   longitude: 'Longitude',

@@ -1,18 +1,31 @@
-import type { LinkQuality } from '../api/types';
+import type { LinkQuality, LinkTrend } from '../api/types';
 import type { Tone } from '../fleet/drone-status';
 import { fixed, UNKNOWN } from '../ui/format';
 
 /** From here on a pilot should know before anything else does. */
 const WORRYING_LOSS = 0.05;
 
-/** The quality of the link in one line: loss now and over a minute, and round trip. */
+/** The quality of the link in one line: loss now and over a minute, round trip and jitter. */
 export function linkQualityText(quality: LinkQuality | undefined): string {
-  const { lossShort, lossLong, rttMs } = quality ?? { lossShort: null, lossLong: null, rttMs: null };
+  const { lossShort = null, lossLong = null, rttMs = null, jitterMs = null } = quality ?? {};
   if (lossShort === null && rttMs === null) {
     return `Link quality ${UNKNOWN}`;
   }
   const loss = `${percent(lossShort)} lost now, ${percent(lossLong)} in a minute`;
-  return `Link: ${loss} · round trip ${rttMs === null ? UNKNOWN : `${fixed(rttMs)} ms`}`;
+  return `Link: ${loss} · round trip ${millis(rttMs)} · jitter ${millis(jitterMs)}`;
+}
+
+/** What is to be said of where the link goes; nothing while it is as it usually is, or that is not known. */
+export function linkTrendText(trend: LinkTrend | undefined): string | null {
+  return trend?.state === 'worse' || trend?.state === 'falling' ? trend.sentence : null;
+}
+
+export function trendTone(trend: LinkTrend | undefined): Tone {
+  return trend?.state === 'falling' ? 'red' : 'amber';
+}
+
+function millis(value: number | null): string {
+  return value === null ? UNKNOWN : `${fixed(value)} ms`;
 }
 
 export function lossTone(quality: LinkQuality | undefined): Tone {

@@ -88,6 +88,7 @@ const TRIGGERS: Record<RunExplanation['trigger'], string> = {
   gone: 'Lost',
   crashed: 'Crashed',
   lowBattery: 'Low battery',
+  linkFalling: 'Link falling',
   wentHome: 'Returned by itself',
   cameDown: 'Came down',
   removed: 'Removed',

@@ -345,7 +345,8 @@ public final class CloudManager {
                 control,
                 this::newSetpointForwarder);
         ReturnWatch returning = new ReturnWatch(drone, gate, new ZoneRules(zones), time);
-        drone.watchedBy(new ControlWatch(drone, gate, rules.leases(), onlookers, everybody, returning, time));
+        LinkWatch links = new LinkWatch(drone, gate, new ZoneRules(zones), rules.leases(), time);
+        drone.watchedBy(new ControlWatch(drone, gate, rules.leases(), onlookers, everybody, returning, links, time));
         if (!replay) {
             drone.preparedBy(new CloudLossPreparation(drone, gate, losses, clock));
         }

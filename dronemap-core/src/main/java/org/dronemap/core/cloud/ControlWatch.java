@@ -44,6 +44,7 @@ final class ControlWatch implements Lane.TimedTask {
     private final UserPresence onlookers;
     private final CloudListener listener;
     private final ReturnWatch returning;
+    private final LinkWatch links;
     private final HoldOnControlLoss holding;
     private final OutlookWatch outlooks;
     private final ModeWatch modes;
@@ -58,6 +59,7 @@ final class ControlWatch implements Lane.TimedTask {
             UserPresence onlookers,
             CloudListener listener,
             ReturnWatch returning,
+            LinkWatch links,
             Time time) {
         this.drone = drone;
         this.gate = gate;
@@ -65,6 +67,7 @@ final class ControlWatch implements Lane.TimedTask {
         this.onlookers = onlookers;
         this.listener = listener;
         this.returning = returning;
+        this.links = links;
         this.holding = new HoldOnControlLoss(drone, gate, rules);
         this.outlooks = new OutlookWatch(drone, returning, rules, time);
         this.modes = new ModeWatch(drone, gate, time);
@@ -161,10 +164,11 @@ final class ControlWatch implements Lane.TimedTask {
         drone.control()
                 .advance(
                         () -> gate.isBusy(drone) || isWatched(state),
-                        FlightFacts.areKnown(state) && !inMission,
+                        FlightFacts.areKnown(state) && !inMission && !links.tries(),
                         due && drone.isUncontrolledInAir() && ReturnPlanner.hurries(state, left, RHYTHM_NANOS / 1e9));
         if (due) {
             keepMode(state);
+            links.update(state);
             bringHome(state, left);
             outlooks.lookAgain(state, left);
         }
@@ -209,7 +213,10 @@ final class ControlWatch implements Lane.TimedTask {
     private void bringHome(DroneState state, OptionalDouble secondsLeft) {
         ControlState control = drone.control().control();
         LapsedLease lapse = control.lapse();
-        if (control.tenure() != null
+        if (links.returns() && control.tenure() == null && state.link().state() != LinkState.LOST) {
+            returning.update(state, LinkWatch.user(control), secondsLeft);
+        } else if (control.tenure() != null
+                || links.tries()
                 || lapse == null
                 || !lapse.returned()
                 || !drone.isCommandedFromHere()

@@ -25,6 +25,7 @@ import org.dronemap.core.drone.LinkQuality;
 import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
+import org.dronemap.core.drone.LinkTrend;
 import org.dronemap.core.drone.LocalPosition;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Motion;
@@ -61,6 +62,7 @@ final class DroneProjection {
     private LinkState linkState = LinkState.LOST;
     private @Nullable Instant lastHeard;
     private LinkQuality quality = LinkQuality.UNKNOWN;
+    private LinkTrend trend = LinkTrend.UNKNOWN;
     private List<DroneKey> otherKeys = List.of();
     private final StatePartAges ages = new StatePartAges();
     private IdentityTrust standing;
@@ -152,6 +154,7 @@ final class DroneProjection {
         key = session.key();
         transport = session.transport();
         quality = LinkQuality.UNKNOWN;
+        trend = LinkTrend.UNKNOWN;
         otherKeys = List.of();
         standing = shown;
         publish();
@@ -199,6 +202,7 @@ final class DroneProjection {
         key = report.key();
         transport = report.transport();
         quality = report.quality();
+        trend = report.trend();
         otherKeys = report.others();
         publish();
     }
@@ -341,7 +345,14 @@ final class DroneProjection {
     private LinkStatus link() {
         boolean lost = linkState == LinkState.LOST;
         return new LinkStatus(
-                key, transport, linkState, lastHeard, lost ? LinkQuality.UNKNOWN : quality, otherKeys, ages.outdated());
+                key,
+                transport,
+                linkState,
+                lastHeard,
+                lost ? LinkQuality.UNKNOWN : quality,
+                lost ? LinkTrend.UNKNOWN : trend,
+                otherKeys,
+                ages.outdated());
     }
 
     private DroneState snapshot() {

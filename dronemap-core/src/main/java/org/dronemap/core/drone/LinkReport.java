@@ -8,8 +8,13 @@ import java.util.List;
  * @param key where commands go: the better link when there are several
  * @param others further links that the same vehicle is heard on
  */
-public record LinkReport(DroneKey key, String transport, LinkQuality quality, List<DroneKey> others) {
+public record LinkReport(DroneKey key, String transport, LinkQuality quality, LinkTrend trend, List<DroneKey> others) {
     public LinkReport {
         others = List.copyOf(others);
+    }
+
+    /** Nothing is known of where its quality goes. */
+    public LinkReport(DroneKey key, String transport, LinkQuality quality, List<DroneKey> others) {
+        this(key, transport, quality, LinkTrend.UNKNOWN, others);
     }
 }

@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
         names = "drone_id at latitude longitude altitude_amsl altitude_above_home ground_speed "
                 + "air_speed climb_rate heading roll pitch yaw battery_percent battery_volts "
                 + "battery_amps gps_fix satellites hdop link loss_short loss_long round_trip mode armed "
-                + "phase mission_item")
+                + "phase mission_item jitter jitter_long")
 public enum TelemetryColumn {
     DRONE_ID(Kind.TEXT, true),
     AT(Kind.TIME, true),
@@ -40,7 +40,9 @@ public enum TelemetryColumn {
     MODE(Kind.TEXT, false),
     ARMED(Kind.TRUTH, false),
     PHASE(Kind.TEXT, false),
-    MISSION_ITEM(TelemetryField.MISSION_ITEM, Kind.INTEGER);
+    MISSION_ITEM(TelemetryField.MISSION_ITEM, Kind.INTEGER),
+    JITTER(TelemetryField.JITTER, Kind.FLOAT4),
+    JITTER_LONG(TelemetryField.JITTER_LONG, Kind.FLOAT4);
 
     /** In this order. */
     public static final List<TelemetryColumn> ALL = List.of(values());

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
 @Stored(
         names = "latitude longitude altitude_amsl altitude_above_home ground_speed air_speed "
                 + "climb_rate heading roll pitch yaw battery_percent battery_volts battery_amps "
-                + "satellites hdop loss_short loss_long round_trip mission_item")
+                + "satellites hdop loss_short loss_long round_trip mission_item jitter jitter_long")
 public enum TelemetryField {
     LATITUDE("°"),
     LONGITUDE("°"),
@@ -35,7 +35,9 @@ public enum TelemetryField {
     LOSS_SHORT(""),
     LOSS_LONG(""),
     ROUND_TRIP("ms"),
-    MISSION_ITEM("");
+    MISSION_ITEM(""),
+    JITTER("ms"),
+    JITTER_LONG("ms");
 
     private final String unit;
 
@@ -56,7 +58,7 @@ public enum TelemetryField {
             case ROLL, PITCH, YAW -> of(point.attitude());
             case BATTERY_PERCENT, BATTERY_VOLTS, BATTERY_AMPS -> of(point.battery());
             case SATELLITES, HDOP -> of(point.gps());
-            case LOSS_SHORT, LOSS_LONG, ROUND_TRIP -> of(point.quality());
+            case LOSS_SHORT, LOSS_LONG, ROUND_TRIP, JITTER, JITTER_LONG -> of(point.quality());
             case MISSION_ITEM -> number(point.missionItem());
         };
     }
@@ -123,6 +125,8 @@ public enum TelemetryField {
         return switch (this) {
             case LOSS_SHORT -> quality.lossShort();
             case LOSS_LONG -> quality.lossLong();
+            case JITTER -> quality.jitterMillis();
+            case JITTER_LONG -> quality.jitterLongMillis();
             default -> quality.roundTripMillis();
         };
     }

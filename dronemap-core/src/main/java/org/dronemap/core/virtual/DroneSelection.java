@@ -185,6 +185,10 @@ public record DroneSelection(List<DroneCandidate> candidates, Optional<DroneChoi
         if (Boolean.FALSE.equals(drone.readyToArm())) {
             return Optional.of(UnfitReason.of(UnfitCode.NOT_READY, "Its own checks do not let it arm."));
         }
+        if (drone.link().trend().isFalling()) {
+            return Optional.of(
+                    UnfitReason.of(UnfitCode.LINK_FALLING, drone.link().trend().words()));
+        }
         Double lost = drone.link().quality().lossShort();
         return lost != null && lost * 100 > WORST_LOSS_PERCENT
                 ? Optional.of(UnfitReason.of(

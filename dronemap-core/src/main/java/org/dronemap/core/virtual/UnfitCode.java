@@ -18,6 +18,10 @@ public enum UnfitCode {
             "link-too-lossy",
             "The link loses more messages than a mission is trusted to.",
             "Its link loses 30 % of its messages."),
+    LINK_FALLING(
+            "link-falling",
+            "The drone's link gets worse so quickly that it is expected to be lost soon.",
+            "Its link gets worse (34 % of its messages are lost, usually 2 %): it is expected to be lost in about 40 s."),
     OTHER_KIND(
             "kind-not-wanted",
             "The drone is of another kind than the virtual drone needs.",

@@ -209,6 +209,9 @@ public final class VirtualRunMachine {
         if (!steering.isEmpty() && !isOnMission(drone)) {
             return giveUp(run, "The drone left its mission; it is called home.", sight);
         }
+        if (drone.link().trend().isFalling()) {
+            return giveUp(run, drone.link().trend().words() + " It is called home before that.", sight);
+        }
         return isStuck(run, assignment, drone, sight)
                 ? giveUp(run, "The drone does not move on; it is called home.", sight)
                 : VirtualRunStep.unchanged(run);

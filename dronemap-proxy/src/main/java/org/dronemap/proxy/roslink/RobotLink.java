@@ -4,13 +4,16 @@ import java.util.function.LongSupplier;
 import org.dronemap.core.cloud.SendAuthority;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.LinkQuality;
+import org.dronemap.core.drone.LinkTrend;
 import org.dronemap.proxy.endpoint.Peer;
 import org.dronemap.proxy.endpoint.PeerCounters;
+import org.dronemap.proxy.roslink.wire.RobotMessage;
 import org.dronemap.proxy.roslink.wire.RobotOrder;
 import org.dronemap.proxy.roslink.wire.RobotOrderWriter;
 import org.dronemap.proxy.roslink.wire.RobotSequenceTracker;
 import org.dronemap.proxy.roslink.wire.RoslinkHeader;
 import org.dronemap.proxy.roslink.wire.RoslinkPacket;
+import org.dronemap.proxy.session.JitterMeter;
 import org.dronemap.proxy.session.LinkQualityMeter;
 import org.dronemap.proxy.session.VehicleTraffic;
 import org.jspecify.annotations.Nullable;
@@ -20,6 +23,9 @@ import org.jspecify.annotations.Nullable;
  * and measuring belong to the session's lane.
  */
 final class RobotLink {
+    /** Robots tell no times: their heartbeats come once a second. */
+    private static final double HEARTBEAT_SECONDS = 1;
+
     private final Peer peer;
     private final PeerCounters counters;
     private final RobotIdentity name;
@@ -30,6 +36,7 @@ final class RobotLink {
     // Owned by the endpoint's thread; its counts are read by the lane. It knows copies, of which the other link has its
     // own.
     private final RobotSequenceTracker sequence = new RobotSequenceTracker();
+    private final JitterMeter jitter = new JitterMeter();
     private volatile LinkQualityMeter.Counts counts = LinkQualityMeter.Counts.NONE;
     private volatile long sent;
     private volatile long lastReceivedNanos;
@@ -60,6 +67,9 @@ final class RobotLink {
         lastReceivedNanos = nanoTime.getAsLong();
         header = packet.header();
         boolean isNew = sequence.isNew(packet.header());
+        if (isNew && packet.message() instanceof RobotMessage.Heartbeat) {
+            jitter.arrivedInTurn(packet.header().messageId(), HEARTBEAT_SECONDS, lastReceivedNanos);
+        }
         RobotSession owner = session;
         long lost = owner == null ? 0 : lost(owner.links().numbered(packet.header()));
         counters.lost(lost - counts.lost());
@@ -150,7 +160,7 @@ final class RobotLink {
     /** True when the quality is worth telling: once an interval at most, and only news. */
     boolean measure(long nowNanos) {
         // Robots answer nothing that could be timed.
-        return loss.update(nowNanos, counted(), null);
+        return loss.update(nowNanos, counted(), null, jitter.jitter());
     }
 
     /** What came by another link since the newest message here is not missing any more. */
@@ -163,6 +173,10 @@ final class RobotLink {
 
     LinkQuality quality() {
         return loss.quality();
+    }
+
+    LinkTrend trend() {
+        return loss.trend();
     }
 
     /** What went over it so far. Any thread. */

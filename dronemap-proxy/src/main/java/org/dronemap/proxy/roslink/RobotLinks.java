@@ -102,7 +102,7 @@ final class RobotLinks {
         RobotLink best = best();
         List<DroneKey> others =
                 links.stream().filter(link -> link != best).map(RobotLink::key).toList();
-        return new LinkReport(best.key(), best.transport(), best.quality(), others);
+        return new LinkReport(best.key(), best.transport(), best.quality(), best.trend(), others);
     }
 
     /** How long nothing came on any of them. */

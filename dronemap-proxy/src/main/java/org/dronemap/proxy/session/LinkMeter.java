@@ -3,19 +3,24 @@ package org.dronemap.proxy.session;
 import java.util.HashMap;
 import java.util.Map;
 import org.dronemap.core.drone.LinkQuality;
+import org.dronemap.core.drone.LinkTrend;
 import org.dronemap.mavlink.Frame;
+import org.dronemap.mavlink.message.Attitude;
+import org.dronemap.mavlink.message.GlobalPositionInt;
 import org.dronemap.proxy.mavlink.procedure.RoundTripEstimator;
 import org.dronemap.proxy.mavlink.procedure.RoundTripProbe;
 
 /**
- * Measures one MAVLink link of a vehicle: message loss and round trip time. Methods belong to the drone's lane, except
+ * Measures one MAVLink link of a vehicle: message loss, round trip time and jitter. Methods belong to the drone's lane, except
  * {@link #arrived}.
  */
 final class LinkMeter {
     private static final int MOST_COMPONENTS = 32;
+    private static final double SECONDS_OF_MILLI = 1e-3;
 
     // Owned by the endpoint's thread.
     private final Map<Integer, SequenceGaps> components = new HashMap<>();
+    private final JitterMeter jitter = new JitterMeter();
     private volatile LinkQualityMeter.Counts counts = LinkQualityMeter.Counts.NONE;
 
     private final RoundTripProbe probe;
@@ -36,6 +41,7 @@ final class LinkMeter {
             gaps = new SequenceGaps();
             components.put(frame.componentId(), gaps);
         }
+        timed(frame, nowNanos);
         long receivedBefore = gaps.received();
         long lostBefore = gaps.lost();
         long doubledBefore = gaps.doubled();
@@ -45,6 +51,18 @@ final class LinkMeter {
                 before.received() + gaps.received() - receivedBefore,
                 before.lost() + gaps.lost() - lostBefore,
                 before.doubled() + gaps.doubled() - doubledBefore);
+    }
+
+    /** Messages that are sent all the time and begin with when they were made, in ms since the vehicle began. */
+    private void timed(Frame frame, long nowNanos) {
+        boolean tells = switch (frame.messageId()) {
+            case Attitude.ID, GlobalPositionInt.ID -> frame.verified();
+            default -> false;
+        };
+        if (tells) {
+            int kind = frame.componentId() << 24 | frame.messageId();
+            jitter.arrived(kind, frame.u32(0) * SECONDS_OF_MILLI, nowNanos);
+        }
     }
 
     /** Any thread. */
@@ -63,7 +81,7 @@ final class LinkMeter {
 
     /** True when the quality is worth telling: once an interval at most, and only news. */
     boolean advance(long nowNanos) {
-        return loss.update(nowNanos, counts, probe.roundTrip().smoothedMillis());
+        return loss.update(nowNanos, counts, probe.roundTrip().smoothedMillis(), jitter.jitter());
     }
 
     RoundTripEstimator roundTrip() {
@@ -72,5 +90,9 @@ final class LinkMeter {
 
     LinkQuality quality() {
         return loss.quality();
+    }
+
+    LinkTrend trend() {
+        return loss.trend();
     }
 }

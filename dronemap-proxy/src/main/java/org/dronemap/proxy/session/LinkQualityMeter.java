@@ -1,9 +1,11 @@
 package org.dronemap.proxy.session;
 
 import org.dronemap.core.drone.LinkQuality;
+import org.dronemap.core.drone.LinkTrend;
+import org.dronemap.core.link.LinkTrendEstimator;
 import org.jspecify.annotations.Nullable;
 
-/** Computes a link's quality once a second from its message counts and round trip time. Owned by the drone's lane. */
+/** Computes a link's quality and its trend once a second from message counts, round trip time and jitter. Owned by the drone's lane. */
 public final class LinkQualityMeter {
     private static final long INTERVAL_NANOS = 1_000_000_000L;
     private static final double SHORT_SECONDS = 5;
@@ -13,6 +15,8 @@ public final class LinkQualityMeter {
     private final PacketLossAverage longLoss = new PacketLossAverage(LONG_SECONDS);
     private Counts taken = Counts.NONE;
     private long takenNanos;
+    private final AgingMean longRoundTrip = new AgingMean(LONG_SECONDS);
+    private final LinkTrendEstimator trend = new LinkTrendEstimator();
     private LinkQuality quality = LinkQuality.UNKNOWN;
 
     /** Messages since the link began: what came, what is missing, what came once more. */
@@ -30,18 +34,34 @@ public final class LinkQualityMeter {
      * @param now all counts so far
      * @param roundTripMillis null: not known
      */
-    public boolean update(long nowNanos, Counts now, @Nullable Double roundTripMillis) {
+    public boolean update(long nowNanos, Counts now, @Nullable Double roundTripMillis, JitterMeter.Jitter jitter) {
         if (nowNanos - takenNanos < INTERVAL_NANOS) {
             return false;
         }
         double seconds = (nowNanos - takenNanos) / 1e9;
         shortLoss.add(now.received() - taken.received(), now.lost() - taken.lost(), seconds);
         longLoss.add(now.received() - taken.received(), now.lost() - taken.lost(), seconds);
+        if (roundTripMillis != null) {
+            longRoundTrip.add(roundTripMillis, seconds);
+        }
+        boolean heard = now.received() > taken.received();
         taken = now;
         takenNanos = nowNanos;
         LinkQuality before = quality;
-        quality = new LinkQuality(shortLoss.share(), longLoss.share(), roundTripMillis);
-        return !quality.equals(before);
+        LinkTrend trendBefore = trend.trend();
+        quality = new LinkQuality(
+                shortLoss.share(),
+                longLoss.share(),
+                roundTripMillis,
+                longRoundTrip.mean(),
+                jitter.shortMillis(),
+                jitter.longMillis());
+        return !trend.sample(quality, heard, seconds).equals(trendBefore) || !quality.equals(before);
+    }
+
+    /** Where the quality goes, compared with how this link usually is. */
+    public LinkTrend trend() {
+        return trend.trend();
     }
 
     public LinkQuality quality() {

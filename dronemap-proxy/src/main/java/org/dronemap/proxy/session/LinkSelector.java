@@ -160,6 +160,11 @@ final class LinkSelector {
                 .filter(link -> link != best)
                 .map(VehicleLink::key)
                 .toList();
-        return new LinkReport(best.key(), best.label().transport(), best.meter().quality(), others);
+        return new LinkReport(
+                best.key(),
+                best.label().transport(),
+                best.meter().quality(),
+                best.meter().trend(),
+                others);
     }
 }

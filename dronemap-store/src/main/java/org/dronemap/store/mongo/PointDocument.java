@@ -81,7 +81,10 @@ final class PointDocument {
                 new LinkQuality(
                         number(document, TelemetryField.LOSS_SHORT),
                         number(document, TelemetryField.LOSS_LONG),
-                        number(document, TelemetryField.ROUND_TRIP)),
+                        number(document, TelemetryField.ROUND_TRIP),
+                        null,
+                        number(document, TelemetryField.JITTER),
+                        number(document, TelemetryField.JITTER_LONG)),
                 document.getString("mode"),
                 document.getBoolean("armed"),
                 phase == null ? null : StoredNames.constant(FlightPhase.class, phase),

@@ -64,6 +64,7 @@ final class TelemetryRows {
         out.bool(point.armed());
         out.text(point.phase() == null ? null : StoredNames.of(point.phase()));
         out.integer(point.missionItem());
+        real(point, out, TelemetryField.JITTER, TelemetryField.JITTER_LONG);
     }
 
     private static void real(TelemetryPoint point, CopyBuffer out, TelemetryField... fields) throws SQLException {
@@ -82,7 +83,13 @@ final class TelemetryRows {
                 battery(row),
                 gps(row),
                 row.name("link", LinkState.class),
-                new LinkQuality(row.number("loss_short"), row.number("loss_long"), row.number("round_trip")),
+                new LinkQuality(
+                        row.number("loss_short"),
+                        row.number("loss_long"),
+                        row.number("round_trip"),
+                        null,
+                        row.number("jitter"),
+                        row.number("jitter_long")),
                 row.textOrNull("mode"),
                 row.boolOrNull("armed"),
                 row.nameOrNull("phase", FlightPhase.class),

@@ -77,7 +77,7 @@ public abstract class TelemetryStoreContract {
                 new Battery(87, 12.587, 14.3),
                 new Gps(GpsFix.RTK_FLOAT, 17, 0.71),
                 LinkState.SUSPECT,
-                new LinkQuality(0.0312, 0.01, 83.7),
+                new LinkQuality(0.0312, 0.01, 83.7, null, 12.5, 9.25),
                 "GUIDED “Zürich” 🚁",
                 true,
                 FlightPhase.IN_AIR,

@@ -10,6 +10,7 @@ import org.dronemap.core.drone.CloudLossState;
 import org.dronemap.core.drone.FlightPhase;
 import org.dronemap.core.drone.IdentityEvidence;
 import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.LinkTrend;
 import org.dronemap.core.drone.MissionPhase;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.drone.StatePart;
@@ -77,6 +78,7 @@ public record DroneView(
             @EnumValues(LinkState.class) String state,
             @Nullable Instant lastHeard,
             QualityView quality,
+            TrendView trend,
 
             @Schema(description = "Further addresses on which the same vehicle is heard")
             List<String> others,
@@ -97,12 +99,30 @@ public record DroneView(
             boolean proved,
             @Nullable String hardwareId) {}
 
-    /** Shares from 0 to 1 of the vehicle's messages that were lost over some 5 s and 60 s; milliseconds there and back. */
+    /** Where the quality goes, compared with how this link usually is; falling: it is expected to be lost soon. */
+    @Schema(name = "DroneLinkTrendView")
+    public record TrendView(
+            @EnumValues(LinkTrend.State.class) String state,
+
+            @Schema(description = "About so long until it is lost, if it goes on so; null where it gets no worse")
+            @Nullable
+            Integer secondsLeft,
+
+            @Schema(description = "What is seen, as a sentence")
+            String sentence) {}
+
+    /**
+     * Over some 5 s and 60 s: shares from 0 to 1 of the vehicle's messages that were lost, milliseconds there and back, and
+     * by how many milliseconds messages come sooner or later than those before them.
+     */
     @Schema(name = "DroneQualityView")
     public record QualityView(
             @Nullable Double lossShort,
             @Nullable Double lossLong,
-            @Nullable Double rttMs) {}
+            @Nullable Double rttMs,
+            @Nullable Double rttLongMs,
+            @Nullable Double jitterMs,
+            @Nullable Double jitterLongMs) {}
 
     /** Degrees, and metres above sea level and above home. */
     @Schema(name = "DronePositionView")

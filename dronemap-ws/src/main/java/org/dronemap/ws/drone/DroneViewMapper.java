@@ -115,6 +115,10 @@ public final class DroneViewMapper {
                 WireNames.camel(link.state()),
                 heard == null ? null : millis(heard),
                 quality(link.quality()),
+                new DroneView.TrendView(
+                        WireNames.camel(link.trend().state()),
+                        link.trend().secondsLeft(),
+                        link.trend().words()),
                 link.others().stream().map(DroneKey::toString).toList(),
                 link.outdated().stream()
                         .map(old -> new DroneView.OutdatedView(WireNames.camel(old.part()), millis(old.lastHeard())))
@@ -133,7 +137,10 @@ public final class DroneViewMapper {
         return new DroneView.QualityView(
                 rounded(quality.lossShort(), 10_000),
                 rounded(quality.lossLong(), 10_000),
-                rounded(quality.roundTripMillis(), 100));
+                rounded(quality.roundTripMillis(), 100),
+                rounded(quality.roundTripLongMillis(), 100),
+                rounded(quality.jitterMillis(), 100),
+                rounded(quality.jitterLongMillis(), 100));
     }
 
     private static @Nullable Double rounded(@Nullable Double value, int parts) {

@@ -68,6 +68,12 @@ public final class PlanDroneFactory {
         if (drone.link().state() != LinkState.LIVE) {
             throw missing(DroneProblem.CONTACT_NOT_GOOD, drone, "There is no good contact with %s.");
         }
+        if (drone.link().trend().isFalling()) {
+            throw missing(
+                    DroneProblem.LINK_FALLING,
+                    drone,
+                    "%s cannot be planned with. " + drone.link().trend().words());
+        }
         if (drone.identification().kind() == VehicleKind.UNKNOWN
                 || !drone.capabilities().known()) {
             throw missing(

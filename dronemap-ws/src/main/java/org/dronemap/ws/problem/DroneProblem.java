@@ -56,6 +56,13 @@ public enum DroneProblem implements ProblemCode {
                     "How good the drone's link is, is not known yet.",
                     "How good the link of “Kestrel” is, is not known yet; that takes some seconds of contact.")
             .with(ProblemParameter.DRONE)),
+    LINK_FALLING(ProblemCatalogueEntry.of(
+                    "link-falling",
+                    RejectionKind.CONFLICT,
+                    "The drone's link gets worse so quickly that it is expected to be lost soon.",
+                    "“Kestrel” cannot be planned with. Its link gets worse (34 % of its messages are lost, usually 2 %):"
+                            + " it is expected to be lost in about 40 s.")
+            .with(ProblemParameter.DRONE)),
     CONTACT_NOT_GOOD(ProblemCatalogueEntry.of(
                     "contact-not-good",
                     RejectionKind.CONFLICT,

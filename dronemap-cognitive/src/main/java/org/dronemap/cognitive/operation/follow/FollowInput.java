@@ -78,10 +78,12 @@ public sealed interface FollowInput {
      * @param homeMeters how far it is from its home; null: not known
      * @param restriction null: nothing of that
      * @param modes null: written before anybody asked for them
+     * @param fallingLink why its link is expected to be lost soon, as a sentence; null: it is not
      */
     @Stored(
-            names = "takenBy silentSeconds armed airborne guided homing mode batteryPercent homeMeters grip modes",
-            later = "modes")
+            names = "takenBy silentSeconds armed airborne guided homing mode batteryPercent homeMeters grip modes "
+                    + "fallingLink",
+            later = "modes fallingLink")
     record Observation(
             @Nullable String whyNotHeld,
             int silentSeconds,
@@ -93,7 +95,36 @@ public sealed interface FollowInput {
             @Nullable Integer batteryPercent,
             @Nullable Double homeMeters,
             @Nullable ControlRestriction restriction,
-            @Nullable ModeMeaning modes) {
+            @Nullable ModeMeaning modes,
+            @Nullable String fallingLink) {
+        /** Its link is not expected to be lost. */
+        public Observation(
+                @Nullable String whyNotHeld,
+                int silentSeconds,
+                boolean armed,
+                boolean airborne,
+                boolean guided,
+                boolean homing,
+                @Nullable String mode,
+                @Nullable Integer batteryPercent,
+                @Nullable Double homeMeters,
+                @Nullable ControlRestriction restriction,
+                @Nullable ModeMeaning modes) {
+            this(
+                    whyNotHeld,
+                    silentSeconds,
+                    armed,
+                    airborne,
+                    guided,
+                    homing,
+                    mode,
+                    batteryPercent,
+                    homeMeters,
+                    restriction,
+                    modes,
+                    null);
+        }
+
         /** The same, with what its modes are for. */
         public Observation with(@Nullable ModeMeaning told) {
             return new Observation(
@@ -107,7 +138,8 @@ public sealed interface FollowInput {
                     batteryPercent,
                     homeMeters,
                     restriction,
-                    told);
+                    told,
+                    fallingLink);
         }
     }
 

@@ -138,7 +138,8 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
                         : Geodesy.distanceMeters(point, state.order().chosen().home()),
                 FollowControlCheck.of(drone, sway, steering),
                 new FollowInput.ModeMeaning(
-                        drone.capabilities().mode(Steering.ORDERS).orElse(null), steering == Steering.HOME));
+                        drone.capabilities().mode(Steering.ORDERS).orElse(null), steering == Steering.HOME),
+                drone.link().trend().isFalling() ? drone.link().trend().words() : null);
     }
 
     @Override
@@ -281,6 +282,10 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
                     percent,
                     back,
                     FollowEndurance.RESERVE_PERCENT);
+            return ReliefHandover.markVacancy(state, state.to(FollowStage.RETURNING, at, words), true);
+        }
+        if (look.fallingLink() != null) {
+            String words = name + " flies home before its link is lost. " + look.fallingLink();
             return ReliefHandover.markVacancy(state, state.to(FollowStage.RETURNING, at, words), true);
         }
         if (look.mode() != null && !look.guided()) {

@@ -156,6 +156,12 @@ final class RunDroneMonitor {
                                     : " (" + look.mode() + "), which this run did not ask for."));
         } else if (FlightHealth.checkFall(draft, drone, look)) {
             return;
+        } else if (look.fallingLink() != null && !goesHomeByPlan(drone)) {
+            DroneWithdrawal.callHome(
+                    draft,
+                    drone,
+                    RunTrigger.LINK_FALLING,
+                    drone.name() + " is called home before its link is lost. " + look.fallingLink());
         } else if (draft.drone(drone.id()).stage() == RunDroneStage.FLYING) {
             FlightHealth.check(draft, draft.drone(drone.id()), look);
         } else {

@@ -68,7 +68,8 @@ final class RunObservations {
                 progress(drone, state),
                 payload(drone.sortie(), state),
                 seen.control().transfer(),
-                seen.giveWay());
+                seen.giveWay(),
+                state.link().trend().isFalling() ? state.link().trend().words() : null);
     }
 
     private static PayloadState payload(@Nullable Sortie sortie, DroneState state) {

@@ -28,12 +28,13 @@ import org.jspecify.annotations.Nullable;
  * @param returnHeight null: the cloud has not set it
  * @param transfer of its mission, which is under way and may be somebody else's; null: none is
  * @param giveWay to whom it gives way; null: to nobody
+ * @param fallingLink why its link is expected to be lost soon, as a sentence; null: it is not
  */
 @Stored(
         names = "drone takenBy link silence still ready mode ordersMode steering armed airborne place "
                 + "aboveHomeMeters climb speed tiltDegrees batteryPercent canGoTo canReturn returnHeight "
-                + "progress payload transfer giveWay",
-        later = "giveWay")
+                + "progress payload transfer giveWay fallingLink",
+        later = "giveWay fallingLink")
 public record DroneObservation(
         DroneId drone,
         @Nullable String holder,
@@ -58,7 +59,8 @@ public record DroneObservation(
         Progress progress,
         PayloadState payload,
         @Nullable String transfer,
-        @Nullable GiveWay giveWay) {
+        @Nullable GiveWay giveWay,
+        @Nullable String fallingLink) {
     /** m/s over ground: whoever is slower stands. */
     private static final double STANDS_SPEED = 2;
 

@@ -7,7 +7,7 @@ import org.dronemap.core.stored.Stored;
         names = "START TAKEN_OVER LOST HEARD_AGAIN GONE CRASHED LOW_BATTERY WENT_HOME CAME_DOWN "
                 + "REMOVED OFF_PATH LATE COMMAND_FAILED WAYPOINTS_ADDED WAYPOINT_MOVED "
                 + "WAYPOINT_CANCELLED FENCE_ADDED JOINED RESUMED GIVEN_UP TOO_NEAR BETTER_PLAN ANSWERED "
-                + "RESTARTED PAUSED WENT_ON STOPPED ENDED")
+                + "RESTARTED PAUSED WENT_ON STOPPED ENDED LINK_FALLING")
 public enum RunTrigger {
     START,
     /** Somebody who goes first steers a drone. */
@@ -41,5 +41,7 @@ public enum RunTrigger {
     PAUSED,
     WENT_ON,
     STOPPED,
-    ENDED
+    ENDED,
+    /** Its link is expected to be lost soon. */
+    LINK_FALLING
 }

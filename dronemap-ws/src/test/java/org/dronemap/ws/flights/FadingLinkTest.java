@@ -1,0 +1,233 @@
+package org.dronemap.ws.flights;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.stream.Stream;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.ws.lab.FadingLink;
+import org.dronemap.ws.lab.LabDrone;
+import org.dronemap.ws.lab.LabVehicleLink;
+import org.dronemap.ws.lab.LabVehicleLink.Quality;
+import org.dronemap.ws.lab.Laboratory;
+import org.dronemap.ws.lab.MissionRunFlight;
+import org.dronemap.ws.lab.Pilot;
+import org.dronemap.ws.lab.VehicleSpec;
+import org.dronemap.ws.lab.ZoneFixtures;
+import org.dronemap.ws.link.DtlsKeyService.DtlsKeyRequest;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+/** What is done before a link is lost that fades, and that nothing is done while a link is as it usually is. */
+class FadingLinkTest {
+    private static final long AUTO = 3;
+    private static final long GUIDED = 4;
+    private static final long RTL = 6;
+    private static final int FADE_SECONDS = 60;
+    private static final Duration USUAL = Duration.ofSeconds(90);
+    private static final Duration FLIGHT = Duration.ofMinutes(4);
+    private static final List<Quality> NORMALS = List.of(
+            Quality.GOOD,
+            new Quality(0, Duration.ofMillis(5), Duration.ofMillis(400)),
+            new Quality(0.1, Duration.ofMillis(20), Duration.ofMillis(20)));
+
+    /** On a long way, which nobody has in hand. */
+    private static LabDrone flies(Laboratory lab) {
+        LabDrone drone = lab.copter();
+        lab.pilot("ann", Role.OPERATOR)
+                .plans(drone, 30, drone.place(3_000, 0), drone.place(0, 0))
+                .startsMission(drone);
+        return drone;
+    }
+
+    private static boolean acted(LabDrone drone) {
+        boolean told = Stream.of("It climbs", "It comes home", "It slows down").anyMatch(drone::isTold);
+        return told && drone.mode() != AUTO;
+    }
+
+    private static int actedInTime(int seeds) {
+        int acted = 0;
+        for (int seed = 1; seed <= seeds; seed++) {
+            try (Laboratory lab = new Laboratory(seed)) {
+                LabDrone drone = flies(lab);
+                FadingLink link = new FadingLink(lab, drone.wire(), NORMALS.get(seed % NORMALS.size()), seed);
+                lab.goOn(USUAL);
+                boolean[] lost = {false};
+                boolean inTime = link.fades(FADE_SECONDS, () -> {
+                    lost[0] |= drone.isLost();
+                    return !lost[0] && acted(drone);
+                });
+                acted += inTime ? 1 : 0;
+            }
+        }
+        return acted;
+    }
+
+    private static void nothingIsDone(int seeds) {
+        for (int seed = 1; seed <= seeds; seed++) {
+            for (Quality normal : NORMALS) {
+                try (Laboratory lab = new Laboratory(seed)) {
+                    LabDrone drone = flies(lab);
+                    drone.wire().is(normal);
+                    lab.goOn(FLIGHT);
+                    assertThat(drone.isTold("Its link gets worse"))
+                            .as("seed %d, %s", seed, normal)
+                            .isFalse();
+                    assertThat(drone.mode()).isEqualTo(AUTO);
+                }
+            }
+        }
+    }
+
+    @Test
+    void actsBeforeTheLinkIsLost() {
+        assertThat(actedInTime(10)).isGreaterThanOrEqualTo(10);
+    }
+
+    @Test
+    void doesNothingWhileTheLinkIsAsItUsuallyIs() {
+        nothingIsDone(3);
+    }
+
+    @Test
+    @Tag("soak")
+    void actsBeforeTheLinkIsLostForAHundredSeeds() {
+        assertThat(actedInTime(100)).isGreaterThanOrEqualTo(95);
+    }
+
+    @Test
+    @Tag("soak")
+    void doesNothingWhileTheLinkIsAsItUsuallyIsForAHundredSeeds() {
+        nothingIsDone(100);
+    }
+
+    @Test
+    void climbsAndGoesOnWhenThatHelps() {
+        try (Laboratory lab = new Laboratory(1)) {
+            LabDrone drone = flies(lab);
+            FadingLink link = new FadingLink(lab, drone.wire(), Quality.GOOD, 1);
+            lab.goOn(USUAL);
+            assertThat(link.fades(FADE_SECONDS, () -> drone.isTold("It climbs")))
+                    .isTrue();
+            lab.until("it has risen", Duration.ofSeconds(30), () -> drone.mode() == GUIDED && drone.height() > 40);
+
+            link.recovers();
+
+            lab.until("it goes on", Duration.ofSeconds(90), () -> drone.mode() == AUTO);
+            assertThat(drone.isTold("Its link is as usual again since it has climbed"))
+                    .isTrue();
+        }
+    }
+
+    @Test
+    void comesHomeWhenThatDoesNotHelp() {
+        try (Laboratory lab = new Laboratory(1)) {
+            LabDrone drone = flies(lab);
+            FadingLink link = new FadingLink(lab, drone.wire(), Quality.GOOD, 1);
+            lab.goOn(USUAL);
+            assertThat(link.fades(FADE_SECONDS, () -> !drone.isLost() && drone.mode() == RTL))
+                    .isTrue();
+            assertThat(drone.isTold("It has climbed, which did not help; it comes home."))
+                    .isTrue();
+        }
+    }
+
+    @Test
+    void doesNotClimbIntoAZone() {
+        try (Laboratory lab = new Laboratory(1)) {
+            LabDrone drone = flies(lab);
+            FadingLink link = new FadingLink(lab, drone.wire(), Quality.GOOD, 1);
+            lab.goOn(USUAL);
+            Pilot chief = lab.pilot("chief", Role.SUPERVISOR);
+            var unused =
+                    lab.server().zones().add(chief.principal(), ZoneFixtures.box(drone, -100, 4_000, 200, null, 45.0));
+            assertThat(link.fades(FADE_SECONDS, () -> drone.isTold("Its link gets worse")))
+                    .isTrue();
+            assertThat(drone.isTold("It slows down")).isTrue();
+        }
+    }
+
+    @Test
+    void whoHasItInHandIsWarnedAndItIsNotTakenFromThem() {
+        try (Laboratory lab = new Laboratory(1)) {
+            LabDrone drone = lab.copter();
+            Pilot ann = lab.pilot("ann", Role.OPERATOR);
+            ann.takesOff(drone, 20);
+            FadingLink link = new FadingLink(lab, drone.wire(), Quality.GOOD, 1);
+            for (int i = 0; i < 9; i++) {
+                lab.goOn(Duration.ofSeconds(10));
+                Geodetic next = drone.place(20 * i, 0);
+                ann.fliesTo(drone, next, 20);
+            }
+            assertThat(link.fades(25, () -> drone.isTold("Let it return home"))).isTrue();
+            assertThat(drone.mode()).isEqualTo(GUIDED);
+        }
+    }
+
+    /** One of two fades until nothing comes: the drone is reached by the other one. */
+    private static void nothingIsDoneOnTwoLinks(int seeds) {
+        for (int seed = 1; seed <= seeds; seed++) {
+            try (Laboratory lab = new Laboratory(seed)) {
+                LabDrone drone = lab.add(VehicleSpec.COPTER.insisting());
+                Pilot ada = lab.pilot("ada", Role.ADMINISTRATOR);
+                String identity = lab.server()
+                        .office()
+                        .dtlsKeys()
+                        .make(ada.principal(), new DtlsKeyRequest("copter on two links", null))
+                        .identity();
+                drone.wire().is(LabVehicleLink.Kind.dtls(identity));
+                drone.addWire(LabVehicleLink.Kind.dtls(identity)).is(NORMALS.get(seed % NORMALS.size()));
+                lab.ready(drone);
+                ada.plans(drone, 30, drone.place(3_000, 0), drone.place(0, 0)).startsMission(drone);
+                FadingLink link = new FadingLink(lab, drone.wire(), Quality.GOOD, seed);
+                lab.goOn(USUAL);
+                assertThat(link.fades(FADE_SECONDS, drone::isLost)).isFalse();
+                lab.goOn(Duration.ofSeconds(20));
+                assertThat(drone.isTold("It climbs")).as("seed %d", seed).isFalse();
+                assertThat(drone.mode()).isEqualTo(AUTO);
+            }
+        }
+    }
+
+    @Test
+    void doesNothingWhereAnotherLinkIsLeft() {
+        nothingIsDoneOnTwoLinks(4);
+    }
+
+    @Test
+    @Tag("soak")
+    void doesNothingWhereAnotherLinkIsLeftForAHundredSeeds() {
+        nothingIsDoneOnTwoLinks(100);
+    }
+
+    @Test
+    void othersFlyTheWaypointsOfARunsDroneWhoseLinkFades() {
+        try (Laboratory lab = new Laboratory(1)) {
+            List<LabDrone> drones = lab.copters(2);
+            LabDrone first = drones.get(0);
+            Pilot ann = lab.pilot("ann", Role.OPERATOR);
+            MissionRunFlight run = MissionRunFlight.begins(
+                    lab,
+                    ann,
+                    drones,
+                    Stream.of(100, 300, 500, 700)
+                            .flatMap(north ->
+                                    drones.stream().map(drone -> MissionRunFlight.waypoint(drone.place(north, 0), 540)))
+                            .toList(),
+                    MissionRunFlight.Manner.ON);
+            run.awaitsAll("flying");
+            FadingLink link = new FadingLink(lab, first.wire(), Quality.GOOD, 1);
+            lab.goOn(Duration.ofSeconds(40));
+
+            assertThat(link.fades(FADE_SECONDS, () -> !first.isLost() && first.mode() == RTL))
+                    .isTrue();
+
+            assertThat(run.told("linkFalling")).isNotEmpty();
+            assertThat(run.end().waypoints())
+                    .allMatch(waypoint -> waypoint.state().equals("visited"));
+            assertThat(run.decidesTheSameAgain()).isTrue();
+        }
+    }
+}
