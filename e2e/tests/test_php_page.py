@@ -54,7 +54,8 @@ def take_off(page: PhpPage, api: Api, drone: Json, metres: int) -> None:
     assert api.drone(drone["id"])["armed"]
     page.page.get_by_label("Take-off height (m)").fill(str(metres))
     page.hold("Take off")
-    page.says(re.compile(rf"Take off to {metres} m: in the air at \d+ m of {metres} m"))
+    # A page on a busy machine may show none of what lies between the ground and that height.
+    page.says(re.compile(rf"Take off to {metres} m: (in the air at \d+ m of {metres} m|carried out)"))
     wait_for("it has climbed", lambda: height(api, drone) > metres - 1, 60)
 
 

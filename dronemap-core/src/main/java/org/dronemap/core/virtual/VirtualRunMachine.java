@@ -23,8 +23,6 @@ import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.MissionProgress;
-import org.dronemap.core.drone.Position;
-import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -40,11 +38,7 @@ public final class VirtualRunMachine {
     private static final Duration AVOIDED = Duration.ofMinutes(10);
     /** From an order that was carried out until that shows. */
     private static final Duration UNTIL_SEEN = Duration.ofSeconds(30);
-    /** Who flies a mission moves, except while it waits at a waypoint. */
-    private static final Duration LONGEST_STILL = Duration.ofSeconds(30);
 
-    private static final Duration LONGEST_STILL_ON_THE_GROUND = Duration.ofSeconds(6);
-    private static final double ON_THE_GROUND_METERS = 1.5;
     private static final Duration LONGEST_STILL_ON_ITS_WAY_HOME = Duration.ofSeconds(90);
     /** Before it is called home once more. */
     private static final Duration BETWEEN_CALLS = Duration.ofSeconds(5);
@@ -206,30 +200,9 @@ public final class VirtualRunMachine {
             // No mission ends in one: a pilot has it, who may not be called home by anybody.
             return suspend(run, "Somebody steers the drone by hand.", sight.now());
         }
-        if (!steering.isEmpty() && !isOnMission(drone)) {
-            return giveUp(run, "The drone left its mission; it is called home.", sight);
-        }
-        if (drone.link().trend().isFalling()) {
-            return giveUp(run, drone.link().trend().words() + " It is called home before that.", sight);
-        }
-        return isStuck(run, assignment, drone, sight)
-                ? giveUp(run, "The drone does not move on; it is called home.", sight)
-                : VirtualRunStep.unchanged(run);
-    }
-
-    /** It may have crashed: vehicles do not always notice that themselves. */
-    private static boolean isStuck(
-            VirtualRun run, VirtualRunAssignment assignment, DroneState drone, VirtualRunObservation sight) {
-        MissionItem.Waypoint next = run.tour().waypoints().get(run.flown());
-        Position position = drone.position();
-        Double above = position == null ? null : position.altitudeAboveHomeMeters();
-        boolean down = assignment.takeOffMeters() != null && above != null && above < ON_THE_GROUND_METERS;
-        // It may have set off a moment ago from where it was to wait.
-        double waited = run.flown() == 0
-                ? 0
-                : run.tour().waypoints().get(run.flown() - 1).holdSeconds();
-        Duration longest = LONGEST_STILL.plusSeconds(Math.round(next.holdSeconds() + waited));
-        return sight.still().compareTo(down ? LONGEST_STILL_ON_THE_GROUND : longest) > 0;
+        return VirtualFlightFaults.ofOneUnderWay(run, assignment, drone, sight)
+                .map(why -> giveUp(run, why, sight))
+                .orElseGet(() -> VirtualRunStep.unchanged(run));
     }
 
     private static VirtualRunStep comeHome(
@@ -330,7 +303,7 @@ public final class VirtualRunMachine {
         return run.tour().share(assignment.first(), assignment.takeOffMeters());
     }
 
-    private static boolean isOnMission(DroneState drone) {
+    static boolean isOnMission(DroneState drone) {
         return drone.capabilities().steering(drone.mode()).equals(Optional.of(Steering.MISSION));
     }
 
