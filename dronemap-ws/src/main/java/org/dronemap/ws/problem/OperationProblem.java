@@ -1,6 +1,6 @@
 package org.dronemap.ws.problem;
 
-/** Problem codes of plans that cannot be accepted, changed or flown now, and of follows for which there is no drone. */
+/** Problem codes of plans that cannot be accepted, changed or flown now, and of follows and dispatches for which there is no drone. */
 public enum OperationProblem implements ProblemCode {
     PLAN_NOT_FINISHED(ProblemCatalogueEntry.of(
             "plan-not-finished",
@@ -57,7 +57,12 @@ public enum OperationProblem implements ProblemCode {
             "no-drone-to-follow",
             RejectionKind.CONFLICT,
             "No drone that the asker may command can follow now.",
-            "The warehouse has no drone that you may command. Name one that you look after."));
+            "The warehouse has no drone that you may command. Name one that you look after.")),
+    NO_DRONE_TO_SEND(ProblemCatalogueEntry.of(
+            "no-drone-to-send",
+            RejectionKind.CONFLICT,
+            "No drone of the pool that the asker may command can come now.",
+            "The pool has no drone that you may command."));
 
     @SuppressWarnings("ImmutableEnumChecker") // its lists never change
     private final ProblemCatalogueEntry entry;

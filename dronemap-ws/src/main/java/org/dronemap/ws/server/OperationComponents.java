@@ -2,6 +2,9 @@ package org.dronemap.ws.server;
 
 import java.util.List;
 import org.dronemap.cognitive.follow.FollowSeparation;
+import org.dronemap.cognitive.operation.dispatch.DispatchInput;
+import org.dronemap.cognitive.operation.dispatch.DispatchOperation;
+import org.dronemap.cognitive.operation.dispatch.DispatchState;
 import org.dronemap.cognitive.operation.follow.FollowInput;
 import org.dronemap.cognitive.operation.follow.FollowOperation;
 import org.dronemap.cognitive.operation.follow.FollowState;
@@ -14,19 +17,24 @@ import org.dronemap.core.conduct.Operations;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.OperationStore;
 import org.dronemap.core.time.Time;
+import org.dronemap.ws.journal.DispatchJournalCodec;
 import org.dronemap.ws.journal.FollowJournalCodec;
 import org.dronemap.ws.journal.RunJournalCodec;
 
-/** The components that conduct operations, with the two kinds there are: mission runs and follows. */
+/** The components that conduct operations, with the three kinds there are: mission runs, follows and dispatches. */
 public record OperationComponents(
         Operations operations,
         OperationKind<RunState, RunInput> kind,
-        OperationKind<FollowState, FollowInput> follows) {
+        OperationKind<FollowState, FollowInput> follows,
+        OperationKind<DispatchState, DispatchInput> dispatches) {
     /** Stored with each mission run. */
     private static final String MISSION_RUN = "missionRun";
 
     /** Stored with each follow. */
     private static final String FOLLOW = "follow";
+
+    /** Stored with each dispatch. */
+    private static final String DISPATCH = "dispatch";
 
     /** Not started yet; {@code apart}: what drones that follow keep from others. */
     public static OperationComponents of(
@@ -35,7 +43,12 @@ public record OperationComponents(
                 new OperationKind<>(MISSION_RUN, new MissionRunOperation(), new RunJournalCodec());
         OperationKind<FollowState, FollowInput> follows =
                 new OperationKind<>(FOLLOW, new FollowOperation(apart), new FollowJournalCodec());
+        OperationKind<DispatchState, DispatchInput> dispatches =
+                new OperationKind<>(DISPATCH, new DispatchOperation(), new DispatchJournalCodec());
         return new OperationComponents(
-                new Operations(cloud, store, rights, time, List.of(kind, follows)), kind, follows);
+                new Operations(cloud, store, rights, time, List.of(kind, follows, dispatches)),
+                kind,
+                follows,
+                dispatches);
     }
 }

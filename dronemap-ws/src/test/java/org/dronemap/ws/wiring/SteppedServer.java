@@ -20,16 +20,18 @@ import org.dronemap.ws.budget.Budgets;
 import org.dronemap.ws.command.BroadcastService;
 import org.dronemap.ws.command.CommandService;
 import org.dronemap.ws.control.SteeringService;
+import org.dronemap.ws.dispatch.DispatchScheduler;
+import org.dronemap.ws.dispatch.DispatchService;
 import org.dronemap.ws.drone.DronePlaceNames;
 import org.dronemap.ws.drone.DroneService;
 import org.dronemap.ws.drone.DroneViewMapper;
 import org.dronemap.ws.fence.FenceService;
 import org.dronemap.ws.follow.FollowReliefScheduler;
 import org.dronemap.ws.follow.FollowService;
-import org.dronemap.ws.follow.OwnerRightsCache;
 import org.dronemap.ws.limit.ClientLimits;
 import org.dronemap.ws.log.OnboardLogArchive;
 import org.dronemap.ws.log.OnboardLogService;
+import org.dronemap.ws.operation.OwnerRightsCache;
 import org.dronemap.ws.parameter.ParameterService;
 import org.dronemap.ws.plan.PlanJobExecutor;
 import org.dronemap.ws.plan.PlanService;
@@ -66,6 +68,7 @@ public final class SteppedServer implements AutoCloseable {
     private final PlanService plans;
     private final RunService runs;
     private final FollowService follows;
+    private final DispatchService dispatches;
     private final ZoneService zones;
     private final VirtualDroneService virtuals;
     private final WarehouseService warehouse;
@@ -110,6 +113,10 @@ public final class SteppedServer implements AutoCloseable {
                 new FollowService.OperationContext(operations.operations(), operations.follows(), cloud);
         follows = new FollowService(following, house.virtuals()::warehouse, time);
         closing.add("the reliefs of follows", reliefs(following, time));
+        DispatchService.OperationContext dispatching =
+                new DispatchService.OperationContext(operations.operations(), operations.dispatches(), cloud);
+        dispatches = new DispatchService(dispatching, house.virtuals()::warehouse, time);
+        closing.add("the drones that are sent", scheduler(dispatching, time));
         VirtualDroneViewMapper views = new VirtualDroneViewMapper(cloud, house.virtuals());
         virtuals = new VirtualDroneService(house.virtuals(), views, time);
         warehouse = new WarehouseService(house.virtuals(), drones);
@@ -129,6 +136,13 @@ public final class SteppedServer implements AutoCloseable {
     private static DroneViewMapper views(CloudManager cloud) {
         return new DroneViewMapper(
                 new DronePlaceNames(point -> null), cloud.controls(), cloud::sensed, cloud::cloudLoss);
+    }
+
+    private DispatchScheduler scheduler(DispatchService.OperationContext context, Time time) {
+        OwnerRightsCache rights = new OwnerRightsCache(house.access(), house.grantBook(), time);
+        DispatchScheduler scheduler = new DispatchScheduler(context, house.virtuals()::warehouse, rights, time);
+        scheduler.start();
+        return scheduler;
     }
 
     private FollowReliefScheduler reliefs(FollowService.OperationContext context, Time time) {
@@ -217,6 +231,10 @@ public final class SteppedServer implements AutoCloseable {
 
     public FollowService follows() {
         return follows;
+    }
+
+    public DispatchService dispatches() {
+        return dispatches;
     }
 
     public ZoneService zones() {
