@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
 public sealed interface DispatchInput {
     Instant at();
 
-    /** What its drones look like now; who is not among them was removed. */
+    /** An observation of all drones of the dispatch; who is not among them was removed. */
     @Stored(as = "Observed", names = "at looks")
     record Observed(Instant at, List<Look> looks) implements DispatchInput {
         public Observed {
@@ -26,7 +26,7 @@ public sealed interface DispatchInput {
         }
     }
 
-    /** One drone. */
+    /** Observation of one drone: its control, flight mode and place. */
     @Stored(names = "drone control flight place")
     record Look(DroneId drone, Control control, Flight flight, Place place) {}
 
@@ -65,7 +65,7 @@ public sealed interface DispatchInput {
             @Nullable String orders) {}
 
     /**
-     * Where the drone is, how full its battery is, and whether it is heard; what is null is not known.
+     * Position, battery and link of the drone; what is null is not known.
      *
      * @param silentSeconds for how long it is not heard, zero while its link is live
      * @param homeMeters to its home

@@ -10,7 +10,7 @@ import org.dronemap.core.command.Outcome;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What becomes of one drone of a dispatch as a command of it has ended.
+ * State of one drone of a dispatch after a command of it has ended.
  *
  * @param notice for whoever asked, as a sentence; null: nothing
  */
