@@ -69,7 +69,8 @@ class DispatchesTest {
             TestHttpClient.Answer back = operator.post(PATH + "/" + sent.text("id") + "/cancel", "");
             assertThat(back.status()).as(back.raw().body()).isEqualTo(200);
             assertThat(back.text("state")).isEqualTo("returning");
-            assertThat(operator.post(PATH + "/" + sent.text("id") + "/cancel", "").text("code"))
+            assertThat(operator.post(PATH + "/" + sent.text("id") + "/cancel", "")
+                            .text("code"))
                     .isEqualTo("dispatch-returning");
             ConditionWait.until(
                     "it is told to fly home",
@@ -91,7 +92,8 @@ class DispatchesTest {
         assertThat(none.status()).isEqualTo(409);
         assertThat(none.text("code")).isEqualTo("no-drone-to-send");
         assertThat(none.text("detail")).startsWith("No drone can come now. Copter");
-        assertThat(operator.post(PATH, "{\"latitude\":47,\"longitude\":8,\"height\":500}").text("detail"))
+        assertThat(operator.post(PATH, "{\"latitude\":47,\"longitude\":8,\"height\":500}")
+                        .text("detail"))
                 .contains("height", "5 to 120");
         assertThat(operator.post(PATH, "{\"latitude\":47}").text("detail")).contains("longitude");
         assertThat(tenant.http(Role.PLANNER).post(PATH, HERE).status()).isEqualTo(403);
@@ -102,8 +104,8 @@ class DispatchesTest {
     void soapSendsOneAsWell() {
         ImmediateCopter copter = lent();
         ExposedOperations faces = new ExposedOperations(tenant.server());
-        String answer = faces.soap(
-                operator, "sendDrone", Map.of("latitude", "47.3977", "longitude", "8.5456", "height", "20"));
+        String answer =
+                faces.soap(operator, "sendDrone", Map.of("latitude", "47.3977", "longitude", "8.5456", "height", "20"));
         assertThat(answer).contains("sendDroneResponse", copter.id());
     }
 }

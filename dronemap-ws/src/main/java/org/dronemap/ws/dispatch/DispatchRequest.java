@@ -30,8 +30,9 @@ public record DispatchRequest(
         Double height,
 
         @Schema(
-                description = "How long it shall be able to stay there, 1 to 60 minutes: so much has to be in the battery"
-                        + " beside the way there and back; left out: 5")
+                description =
+                        "How long it shall be able to stay there, 1 to 60 minutes: so much has to be in the battery"
+                                + " beside the way there and back; left out: 5")
         @Min(1)
         @Max(DispatchRequest.MOST_MINUTES)
         @Nullable
@@ -41,8 +42,8 @@ public record DispatchRequest(
     private static final double USUAL_MINUTES = 5;
 
     DispatchOrder order() {
-        Geodetic place = new Geodetic(
-                FieldRanges.latitude("latitude", latitude), FieldRanges.longitude("longitude", longitude));
+        Geodetic place =
+                new Geodetic(FieldRanges.latitude("latitude", latitude), FieldRanges.longitude("longitude", longitude));
         return new DispatchOrder(
                 place,
                 FieldRanges.checked(

@@ -66,7 +66,10 @@ public final class DispatchScheduler implements AutoCloseable {
                 LOG.debug("{} has changed meanwhile: {}", dispatch.saved().id(), late.why());
             } catch (RuntimeException e) {
                 // It ends by itself when none is found for too long.
-                LOG.warn("No other drone can be looked for now for {}", dispatch.saved().id(), e);
+                LOG.warn(
+                        "No other drone can be looked for now for {}",
+                        dispatch.saved().id(),
+                        e);
             }
         }
     }
@@ -82,8 +85,8 @@ public final class DispatchScheduler implements AutoCloseable {
         List<DroneState> candidates = DispatchService.candidates(drones, pool, owner.get()).stream()
                 .filter(drone -> !state.failed().contains(drone.id()))
                 .toList();
-        PoolDroneSelector.Found found = drones.find(
-                owner.get(), candidates, DispatchService.task(state.order(), LEAST_MINUTES), now);
+        PoolDroneSelector.Found found =
+                drones.find(owner.get(), candidates, DispatchService.task(state.order(), LEAST_MINUTES), now);
         return found.chosen()
                 .<DispatchInput>map(chosen -> new DispatchInput.SendDrone(now, chosen))
                 .orElseGet(() -> new DispatchInput.NoDroneAvailable(

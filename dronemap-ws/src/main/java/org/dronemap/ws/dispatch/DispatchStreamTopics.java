@@ -48,8 +48,8 @@ final class DispatchStreamTopics {
                 (dispatch, who) -> new DispatchChanged(dispatches.view(dispatch)),
                 dispatches::underWay,
                 null,
-                feed -> dispatches.addListener((operation, why) ->
-                        feed.changed(operation.id().value(), () -> dispatches.picture(operation))));
+                feed -> dispatches.addListener(
+                        (operation, why) -> feed.changed(operation.id().value(), () -> dispatches.picture(operation))));
     }
 
     static StreamTopic<Snapshot<DispatchState>> now(DispatchService dispatches, StreamEventRouter news) {
@@ -65,8 +65,8 @@ final class DispatchStreamTopics {
                 null,
                 feed -> news.onMoves(drones -> dispatches.underWay().stream()
                         .filter(dispatch -> leads(dispatch.state(), drones::contains))
-                        .forEach(dispatch ->
-                                feed.changed(dispatch.saved().id().value(), () -> Optional.of(dispatch)))));
+                        .forEach(
+                                dispatch -> feed.changed(dispatch.saved().id().value(), () -> Optional.of(dispatch)))));
     }
 
     private static boolean leads(DispatchState state, Predicate<DroneId> moved) {

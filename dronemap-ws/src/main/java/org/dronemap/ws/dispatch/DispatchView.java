@@ -12,7 +12,8 @@ import org.jspecify.annotations.Nullable;
 public record DispatchView(
         String id,
 
-        @Schema(description = "The user who asked, and gets control") String owner,
+        @Schema(description = "The user who asked, and gets control")
+        String owner,
 
         Instant beganAt,
 
@@ -20,9 +21,10 @@ public record DispatchView(
         Instant endedAt,
 
         @Schema(
-                description = "chosen: a drone is kept, on the ground; arrived: control goes over to the owner; here: the owner"
-                        + " has control; searching: the drone before cannot come, and another one is looked for;"
-                        + " returning: none comes any more, and what flew for it flies home")
+                description =
+                        "chosen: a drone is kept, on the ground; arrived: control goes over to the owner; here: the owner"
+                                + " has control; searching: the drone before cannot come, and another one is looked for;"
+                                + " returning: none comes any more, and what flew for it flies home")
         @EnumValues(DispatchStage.class)
         String state,
 
@@ -49,7 +51,8 @@ public record DispatchView(
         @Schema(description = "What it said, the newest 30, the oldest first; first why this drone was chosen")
         List<NoticeView> told,
 
-        @Schema(description = "Drones that were sent and fly home") List<OtherView> others,
+        @Schema(description = "Drones that were sent and fly home")
+        List<OtherView> others,
 
         @Schema(description = "How the drone is to the place now; null: none comes") @Nullable
         NowView now) {
@@ -66,7 +69,9 @@ public record DispatchView(
             @Schema(description = "metres on the ground to the place") @Nullable
             Double distance,
 
-            @Schema(description = "seconds until it is there, as far as can be said; null: it is there, or not on its way")
+            @Schema(
+                    description =
+                            "seconds until it is there, as far as can be said; null: it is there, or not on its way")
             @Nullable
             Integer seconds,
 

@@ -64,8 +64,9 @@ final class DispatchViewMapper {
         Geodetic point = position == null ? null : position.point();
         Double height = position == null ? null : position.altitudeAboveHomeMeters();
         Battery battery = drone.battery();
-        Double away =
-                point == null ? null : (Double) Geodesy.distanceMeters(point, state.order().place());
+        Double away = point == null
+                ? null
+                : (Double) Geodesy.distanceMeters(point, state.order().place());
         return new DispatchView.NowView(
                 point == null ? null : point.latitudeDegrees(),
                 point == null ? null : point.longitudeDegrees(),

@@ -127,10 +127,7 @@ public final class FollowReliefScheduler implements AutoCloseable {
         Instant now = clock.instant().truncatedTo(ChronoUnit.MICROS);
         List<DroneState> candidates = candidates(owner.get(), state);
         PoolDroneSelector.Found found = drones.find(
-                owner.get(),
-                candidates,
-                FollowService.task(near, state.order().place(), LEAST_MINUTES),
-                now);
+                owner.get(), candidates, FollowService.task(near, state.order().place(), LEAST_MINUTES), now);
         if (found.chosen().isPresent()) {
             ChosenDrone chosen = found.chosen().get();
             if (left <= secondsNeeded(chosen, near, state)) {

@@ -9,9 +9,9 @@ import java.util.Objects;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.ws.control.ControlRequest;
-import org.dronemap.ws.drone.ControlView;
 import org.dronemap.ws.dispatch.DispatchRequest;
 import org.dronemap.ws.dispatch.DispatchView;
+import org.dronemap.ws.drone.ControlView;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.Pilot;
@@ -241,8 +241,10 @@ class DispatchFlightTest {
             lab.goOn(Duration.ofSeconds(1));
             lab.startServer();
         }
-        lab.untilSeen("it was here, or is over", WAY, () -> List.of("here", "over")
-                .contains(view(ann, sent).state()));
+        lab.untilSeen(
+                "it was here, or is over",
+                WAY,
+                () -> List.of("here", "over").contains(view(ann, sent).state()));
         lab.until("all are down", Duration.ofMinutes(4), () -> copters.stream().allMatch(LabDrone::isDown));
     }
 
@@ -254,8 +256,7 @@ class DispatchFlightTest {
         DispatchView other = sends(bob, near.place(40, -60));
         assertThat(first.drone()).isEqualTo(id(near));
         assertThat(other.drone()).isEqualTo(id(second));
-        Rejection none =
-                catchThrowableOfType(Rejection.class, () -> sends(lab.pilot("cy", Role.OPERATOR), place()));
+        Rejection none = catchThrowableOfType(Rejection.class, () -> sends(lab.pilot("cy", Role.OPERATOR), place()));
         assertThat(none.sentence()).contains("has had control of it since");
         awaits(ann, first, "here");
         awaits(bob, other, "here");

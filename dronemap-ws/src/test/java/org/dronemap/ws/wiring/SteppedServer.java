@@ -113,10 +113,7 @@ public final class SteppedServer implements AutoCloseable {
                 new FollowService.OperationContext(operations.operations(), operations.follows(), cloud);
         follows = new FollowService(following, house.virtuals()::warehouse, time);
         closing.add("the reliefs of follows", reliefs(following, time));
-        DispatchService.OperationContext dispatching =
-                new DispatchService.OperationContext(operations.operations(), operations.dispatches(), cloud);
-        dispatches = new DispatchService(dispatching, house.virtuals()::warehouse, time);
-        closing.add("the drones that are sent", scheduler(dispatching, time));
+        dispatches = dispatches(operations, cloud, time);
         VirtualDroneViewMapper views = new VirtualDroneViewMapper(cloud, house.virtuals());
         virtuals = new VirtualDroneService(house.virtuals(), views, time);
         warehouse = new WarehouseService(house.virtuals(), drones);
@@ -138,11 +135,14 @@ public final class SteppedServer implements AutoCloseable {
                 new DronePlaceNames(point -> null), cloud.controls(), cloud::sensed, cloud::cloudLoss);
     }
 
-    private DispatchScheduler scheduler(DispatchService.OperationContext context, Time time) {
+    private DispatchService dispatches(OperationComponents operations, CloudManager cloud, Time time) {
+        DispatchService.OperationContext context =
+                new DispatchService.OperationContext(operations.operations(), operations.dispatches(), cloud);
         OwnerRightsCache rights = new OwnerRightsCache(house.access(), house.grantBook(), time);
         DispatchScheduler scheduler = new DispatchScheduler(context, house.virtuals()::warehouse, rights, time);
         scheduler.start();
-        return scheduler;
+        closing.add("the drones that are sent", scheduler);
+        return new DispatchService(context, house.virtuals()::warehouse, time);
     }
 
     private FollowReliefScheduler reliefs(FollowService.OperationContext context, Time time) {

@@ -39,11 +39,7 @@ public sealed interface DispatchInput {
      * @param free nobody has it
      */
     @Stored(names = "whyNotHeld whyNotAllowed owned free")
-    record Control(
-            @Nullable String whyNotHeld,
-            @Nullable String whyNotAllowed,
-            boolean owned,
-            boolean free) {}
+    record Control(@Nullable String whyNotHeld, @Nullable String whyNotAllowed, boolean owned, boolean free) {}
 
     /**
      * Motors and flight mode of the drone.

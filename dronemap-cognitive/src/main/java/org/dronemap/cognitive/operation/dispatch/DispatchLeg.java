@@ -98,8 +98,7 @@ public record DispatchLeg(
     }
 
     DispatchLeg failed(Instant notBefore) {
-        Attempts next =
-                new Attempts(attempts.given(), attempts.failed() + 1, attempts.refusedSince(), notBefore);
+        Attempts next = new Attempts(attempts.given(), attempts.failed() + 1, attempts.refusedSince(), notBefore);
         return new DispatchLeg(chosen, number, null, next, going, failure);
     }
 

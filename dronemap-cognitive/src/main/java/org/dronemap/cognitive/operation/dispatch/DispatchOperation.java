@@ -65,8 +65,7 @@ public final class DispatchOperation implements Operation<DispatchState, Dispatc
     @Override
     public DispatchInput observed(DispatchState state, OperationObservation scene) {
         List<Look> looks = legs(state)
-                .flatMap(leg ->
-                        scene.of(leg.drone()).map(seen -> DispatchLooks.of(state, leg, seen)).stream())
+                .flatMap(leg -> scene.of(leg.drone()).map(seen -> DispatchLooks.of(state, leg, seen)).stream())
                 .toList();
         return new Observed(scene.now(), looks);
     }
@@ -99,8 +98,7 @@ public final class DispatchOperation implements Operation<DispatchState, Dispatc
         } else if (input instanceof DispatchInput.Restarted) {
             next = restarted(state, input.at());
         } else if (input instanceof DispatchInput.SendDrone send) {
-            next = state.withLead(
-                            DispatchLeg.of(send.chosen(), state.failed().size()))
+            next = state.withLead(DispatchLeg.of(send.chosen(), state.failed().size()))
                     .to(DispatchStage.CHOSEN, send.at(), send.chosen().why());
         } else if (input instanceof DispatchInput.NoDroneAvailable none) {
             next = state.end(none.at(), "No other drone can come. " + none.why());
@@ -111,9 +109,7 @@ public final class DispatchOperation implements Operation<DispatchState, Dispatc
     }
 
     private static String calledOff(DispatchInput input) {
-        return input instanceof DispatchInput.Cancel cancel
-                ? cancel.by() + " called it off."
-                : "It was called off.";
+        return input instanceof DispatchInput.Cancel cancel ? cancel.by() + " called it off." : "It was called off.";
     }
 
     private static @Nullable String news(DispatchState before, DispatchState next) {
@@ -201,8 +197,7 @@ public final class DispatchOperation implements Operation<DispatchState, Dispatc
         }
         return input instanceof DispatchInput.Cancel && state.stage() == DispatchStage.RETURNING
                 ? Optional.of(Objection.of(
-                        DispatchObjection.RETURNING,
-                        "It was called off already; what flew for it is on its way home."))
+                        DispatchObjection.RETURNING, "It was called off already; what flew for it is on its way home."))
                 : Optional.empty();
     }
 

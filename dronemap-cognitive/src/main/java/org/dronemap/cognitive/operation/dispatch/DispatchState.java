@@ -49,7 +49,10 @@ public record DispatchState(
      * @param end why no drone comes any more, or how it ended, as a sentence; null: it goes on
      */
     @Stored(names = "told note end")
-    public record Log(List<Notice> notices, @Nullable String note, @Nullable String end) {
+    public record Log(
+            List<Notice> notices,
+            @Nullable String note,
+            @Nullable String end) {
         public Log {
             notices = List.copyOf(notices);
         }
@@ -84,7 +87,15 @@ public record DispatchState(
 
     DispatchState to(DispatchStage next, Instant at, String words) {
         return new DispatchState(
-                id, order, next, at, null, lead, returning, failed, withoutNote(log).with(at, words));
+                id,
+                order,
+                next,
+                at,
+                null,
+                lead,
+                returning,
+                failed,
+                withoutNote(log).with(at, words));
     }
 
     private static Log withoutNote(Log log) {

@@ -68,8 +68,7 @@ final class LeadFlight {
             return Optional.of(state.stage() == DispatchStage.ARRIVED ? state.end(at, words) : replaced(words, false));
         }
         if (look.control().whyNotAllowed() != null) {
-            return Optional.of(
-                    calledHome(look.control().whyNotAllowed() + " " + lead.name() + " comes home."));
+            return Optional.of(calledHome(look.control().whyNotAllowed() + " " + lead.name() + " comes home."));
         }
         if (look.place().silentSeconds() >= LOST_SECONDS) {
             return Optional.of(replaced("Contact with " + lead.name() + " was lost.", true));
@@ -123,7 +122,10 @@ final class LeadFlight {
     private boolean isLate() {
         return state.stage() != DispatchStage.ARRIVED
                 && Duration.between(state.since(), at).toSeconds()
-                        > SPARE_SECONDS + LONGER * CopterEndurance.secondsToCome(away(), state.order().heightMeters());
+                        > SPARE_SECONDS
+                                + LONGER
+                                        * CopterEndurance.secondsToCome(
+                                                away(), state.order().heightMeters());
     }
 
     private double away() {
@@ -219,8 +221,8 @@ final class LeadFlight {
         if (!look.control().free()) {
             return state.end(at, lead.name() + " was taken: " + look.control().whyNotHeld());
         }
-        String words = "Your control of " + lead.name()
-                + " has ended; it holds, and flies home unless somebody takes it.";
+        String words =
+                "Your control of " + lead.name() + " has ended; it holds, and flies home unless somebody takes it.";
         // Whoever calls it off gives control back first.
         return words.equals(state.log().note()) ? state.end(at, words) : state.noted(words);
     }

@@ -57,7 +57,8 @@ record LegOutcome(DispatchLeg leg, @Nullable String notice) {
 
     /** It may or may not have acted: what is seen of the drone decides how it goes on. */
     private static LegOutcome unknown(DispatchLeg leg, IssuedCommand issued, String why) {
-        String words = "It is not known whether " + leg.name() + " was " + issued.purpose().done() + ": " + why;
+        String words = "It is not known whether " + leg.name() + " was "
+                + issued.purpose().done() + ": " + why;
         return new LegOutcome(leg.attempts().failed() >= MOST_TRIES ? leg.failing(words) : leg, words);
     }
 

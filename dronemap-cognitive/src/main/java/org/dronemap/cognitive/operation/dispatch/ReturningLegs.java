@@ -1,6 +1,5 @@
 package org.dronemap.cognitive.operation.dispatch;
 
-import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.cognitive.operation.dispatch.DispatchInput.Look;
@@ -49,7 +48,8 @@ final class ReturningLegs {
             return leg.name() + " is down.";
         }
         return look.flight().steered() && look.flight().airborne()
-                ? leg.name() + " was taken: a pilot flies it in " + look.flight().mode() + "."
+                ? leg.name() + " was taken: a pilot flies it in "
+                        + look.flight().mode() + "."
                 : null;
     }
 }

@@ -183,8 +183,7 @@ class FollowGuidanceTest {
 
     @Test
     void isNotThereForTheOtherOneBeforeItHasRisen() {
-        ChosenDrone kestrel =
-                new ChosenDrone(new DroneId("d2"), "Kestrel", PHONE, 488, "It was chosen.");
+        ChosenDrone kestrel = new ChosenDrone(new DroneId("d2"), "Kestrel", PHONE, 488, "It was chosen.");
         FollowOperation follow = new FollowOperation(FollowSeparation.USUAL);
         FollowState relieved =
                 follow.decide(state, new FollowInput.SendRelief(ZERO, kestrel)).next();
@@ -212,8 +211,7 @@ class FollowGuidanceTest {
     /** Metres above its home. */
     private double waitingHeight() {
         guide = new FollowGuidance(state.order().near(), FollowSeparation.USUAL);
-        ChosenDrone kestrel =
-                new ChosenDrone(new DroneId("d2"), "Kestrel", HOME, 488, "It was chosen.");
+        ChosenDrone kestrel = new ChosenDrone(new DroneId("d2"), "Kestrel", HOME, 488, "It was chosen.");
         FollowState relieved = new FollowOperation(FollowSeparation.USUAL)
                 .decide(state, new FollowInput.SendRelief(ZERO, kestrel))
                 .next();
@@ -253,8 +251,7 @@ class FollowGuidanceTest {
     /** By one that waited 20 m away; it has flown beside its home. */
     private FollowState replaced() {
         FollowOperation follow = new FollowOperation(FollowSeparation.USUAL);
-        ChosenDrone kestrel =
-                new ChosenDrone(new DroneId("d2"), "Kestrel", PHONE, 488, "It was chosen.");
+        ChosenDrone kestrel = new ChosenDrone(new DroneId("d2"), "Kestrel", PHONE, 488, "It was chosen.");
         FollowState relieved =
                 follow.decide(state, new FollowInput.SendRelief(ZERO, kestrel)).next();
         FollowState up = relieved.reliefOrNone().others().get(0).to(FollowStage.TRACKING, ZERO, "It is in the air.");
