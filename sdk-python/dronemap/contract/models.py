@@ -3380,6 +3380,10 @@ class PlanView(Model):
     """
     seed: int
     state: Literal["queued", "running", "finished", "cancelled", "failed"] | str
+    up_to: int | None = None
+    """
+    The cloud chose up to so many drones of the pool; null: they were named
+    """
     waypoints: int
     """
     How many waypoints there are to visit
@@ -3887,9 +3891,9 @@ class PlanRequest(Model):
     Waypoints that are to be shared out among drones.
     """
 
-    drones: list[str]
+    drones: list[str] | None = None
     """
-    Ids of 1 to 100 drones that are on the ground
+    Ids of 1 to 100 drones that are on the ground; left out with upTo
     """
     objective: PlanObjectiveRequest | None = None
     """
@@ -3902,6 +3906,10 @@ class PlanRequest(Model):
     seed: int | None = None
     """
     Where the search begins; left out: 1
+    """
+    up_to: int | None = None
+    """
+    1 to 100: the cloud chooses up to so many drones of the pool that you may command, those that are free and nearest to the waypoints; left out with drones
     """
     waypoints: list[PlanWaypointRequest]
     """
@@ -3954,6 +3962,10 @@ class RunView(Model):
     A changed plan that waits for an answer; null: none does
     """
     state: Literal["running", "paused", "stopping", "over"] | str
+    up_to: int | None = None
+    """
+    Up to so many drones of the pool fly it, chosen by the cloud; null: they were named
+    """
     waypoints: list[RunWaypointView] = []
 
 

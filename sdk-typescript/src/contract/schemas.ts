@@ -1029,6 +1029,11 @@ export interface components {
             state: "queued" | "running" | "finished" | "cancelled" | "failed";
             /**
              * Format: int32
+             * @description The cloud chose up to so many drones of the pool; null: they were named
+             */
+            upTo: number | null;
+            /**
+             * Format: int32
              * @description How many waypoints there are to visit
              */
             waypoints: number;
@@ -1298,6 +1303,11 @@ export interface components {
             proposal: components["schemas"]["RunProposalView"] | null;
             /** @enum {string} */
             state: "running" | "paused" | "stopping" | "over";
+            /**
+             * Format: int32
+             * @description Up to so many drones of the pool fly it, chosen by the cloud; null: they were named
+             */
+            upTo: number | null;
             waypoints: components["schemas"]["RunWaypointView"][];
         };
         RunVisitView: {
@@ -3243,8 +3253,8 @@ export interface components {
         };
         /** @description Waypoints that are to be shared out among drones. */
         PlanRequest: {
-            /** @description Ids of 1 to 100 drones that are on the ground */
-            drones: string[];
+            /** @description Ids of 1 to 100 drones that are on the ground; left out with upTo */
+            drones?: string[] | null;
             /** @description What the plan is to be good at; left out: all done as early as can be */
             objective?: components["schemas"]["PlanObjectiveRequest"] | null;
             /**
@@ -3257,6 +3267,11 @@ export interface components {
              * @description Where the search begins; left out: 1
              */
             seed?: number | null;
+            /**
+             * Format: int32
+             * @description 1 to 100: the cloud chooses up to so many drones of the pool that you may command, those that are free and nearest to the waypoints; left out with drones
+             */
+            upTo?: number | null;
             /** @description 1 to 5000 */
             waypoints: components["schemas"]["PlanWaypointRequest"][];
             /** @description The same everywhere; left out: calm */

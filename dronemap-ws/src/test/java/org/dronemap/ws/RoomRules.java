@@ -51,7 +51,7 @@ final class RoomRules {
                     "log: command drone",
                     "organisation: drone key zone",
                     "parameter: command drone",
-                    "plan: command drone mission",
+                    "plan: command drone mission operation",
                     "robotkey: link organisation",
                     "run: drone operation plan zone",
                     "system: history link outlet",

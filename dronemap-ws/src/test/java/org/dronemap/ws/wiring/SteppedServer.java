@@ -35,7 +35,9 @@ import org.dronemap.ws.operation.OwnerRightsCache;
 import org.dronemap.ws.parameter.ParameterService;
 import org.dronemap.ws.plan.PlanJobExecutor;
 import org.dronemap.ws.plan.PlanService;
+import org.dronemap.ws.plan.PoolPlanDrones;
 import org.dronemap.ws.run.RunJournalService;
+import org.dronemap.ws.run.RunPoolScheduler;
 import org.dronemap.ws.run.RunService;
 import org.dronemap.ws.run.RunZoneSynchronizer;
 import org.dronemap.ws.server.OperationComponents;
@@ -103,12 +105,15 @@ public final class SteppedServer implements AutoCloseable {
                 new ZoneService.Stores(house.zones(), cloud.zones(), house.access()), drones, time.clock());
         PlanJobExecutor jobs = new PlanJobExecutor(PlanJobExecutor.Limits.of(time.parallelism()), time);
         closing.add("the plans", jobs);
-        plans = new PlanService(jobs, drones, commands, cloud.zones(), time);
+        PoolPlanDrones pool = new PoolPlanDrones(cloud, house.virtuals()::warehouse);
+        plans = new PlanService(jobs, drones, commands, pool, cloud.zones(), time);
         OperationComponents operations = house.runs();
         RunService.OperationContext running =
                 new RunService.OperationContext(operations.operations(), operations.kind(), cloud);
         runs = new RunService(running, plans, drones, time);
         closing.add("the zones of runs", RunZoneSynchronizer.start(running, time));
+        OwnerRightsCache owners = new OwnerRightsCache(house.access(), house.grantBook(), time);
+        closing.add("the pool of runs", RunPoolScheduler.start(running, pool, owners, time));
         FollowService.OperationContext following =
                 new FollowService.OperationContext(operations.operations(), operations.follows(), cloud);
         follows = new FollowService(following, house.virtuals()::warehouse, time);
