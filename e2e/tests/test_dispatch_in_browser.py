@@ -67,9 +67,9 @@ def test_a_person_sends_a_drone_to_a_place(
     station.press("Send the best drone")
     picture(page, f"send-{kind}-2-sent")
     sent = page.get_by_role("region", name="Drone that was sent")
-    expect(sent).to_contain_text("on its way", timeout=60_000)
+    expect(sent).to_contain_text("on its way", timeout=120_000)
     picture(page, f"send-{kind}-3-on-its-way")
-    expect(sent).to_contain_text("is here: control is yours", timeout=60_000)
+    expect(sent).to_contain_text("is here: control is yours", timeout=120_000)
 
     dispatch = next(one for one in api.get("/dispatches")["dispatches"] if one["owner"] == name)
     place = Point(dispatch["latitude"], dispatch["longitude"], 12)

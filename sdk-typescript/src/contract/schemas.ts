@@ -1031,7 +1031,7 @@ export interface components {
              * Format: int32
              * @description The cloud chose up to so many drones of the pool; null: they were named
              */
-            upTo: number | null;
+            upTo?: number | null;
             /**
              * Format: int32
              * @description How many waypoints there are to visit
@@ -1307,7 +1307,7 @@ export interface components {
              * Format: int32
              * @description Up to so many drones of the pool fly it, chosen by the cloud; null: they were named
              */
-            upTo: number | null;
+            upTo?: number | null;
             waypoints: components["schemas"]["RunWaypointView"][];
         };
         RunVisitView: {
