@@ -112,8 +112,7 @@ public final class SteppedServer implements AutoCloseable {
                 new RunService.OperationContext(operations.operations(), operations.kind(), cloud);
         runs = new RunService(running, plans, drones, time);
         closing.add("the zones of runs", RunZoneSynchronizer.start(running, time));
-        OwnerRightsCache owners = new OwnerRightsCache(house.access(), house.grantBook(), time);
-        closing.add("the pool of runs", RunPoolScheduler.start(running, pool, owners, time));
+        joinOthers(running, pool, time);
         FollowService.OperationContext following =
                 new FollowService.OperationContext(operations.operations(), operations.follows(), cloud);
         follows = new FollowService(following, house.virtuals()::warehouse, time);
@@ -138,6 +137,11 @@ public final class SteppedServer implements AutoCloseable {
     private static DroneViewMapper views(CloudManager cloud) {
         return new DroneViewMapper(
                 new DronePlaceNames(point -> null), cloud.controls(), cloud::sensed, cloud::cloudLoss);
+    }
+
+    private void joinOthers(RunService.OperationContext context, PoolPlanDrones pool, Time time) {
+        OwnerRightsCache owners = new OwnerRightsCache(house.access(), house.grantBook(), time);
+        closing.add("the pool of runs", RunPoolScheduler.start(context, pool, owners, time));
     }
 
     private DispatchService dispatches(OperationComponents operations, CloudManager cloud, Time time) {
