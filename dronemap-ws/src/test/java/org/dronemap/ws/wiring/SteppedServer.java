@@ -113,10 +113,7 @@ public final class SteppedServer implements AutoCloseable {
         runs = new RunService(running, plans, drones, time);
         closing.add("the zones of runs", RunZoneSynchronizer.start(running, time));
         joinOthers(running, pool, time);
-        FollowService.OperationContext following =
-                new FollowService.OperationContext(operations.operations(), operations.follows(), cloud);
-        follows = new FollowService(following, house.virtuals()::warehouse, time);
-        closing.add("the reliefs of follows", reliefs(following, time));
+        follows = follows(operations, cloud, time);
         dispatches = dispatches(operations, cloud, time);
         VirtualDroneViewMapper views = new VirtualDroneViewMapper(cloud, house.virtuals());
         virtuals = new VirtualDroneService(house.virtuals(), views, time);
@@ -142,6 +139,13 @@ public final class SteppedServer implements AutoCloseable {
     private void joinOthers(RunService.OperationContext context, PoolPlanDrones pool, Time time) {
         OwnerRightsCache owners = new OwnerRightsCache(house.access(), house.grantBook(), time);
         closing.add("the pool of runs", RunPoolScheduler.start(context, pool, owners, time));
+    }
+
+    private FollowService follows(OperationComponents operations, CloudManager cloud, Time time) {
+        FollowService.OperationContext context =
+                new FollowService.OperationContext(operations.operations(), operations.follows(), cloud);
+        closing.add("the reliefs of follows", reliefs(context, time));
+        return new FollowService(context, house.virtuals()::warehouse, time);
     }
 
     private DispatchService dispatches(OperationComponents operations, CloudManager cloud, Time time) {
