@@ -53,14 +53,14 @@ final class RunRefusals {
                             "There is no proposal " + answer.proposal() + " that waits for an answer.",
                             Subject.PROPOSAL.is(answer.proposal()));
         }
-        if (input instanceof RunInput.JoinFromPool join) {
-            return joins(state, join.craft());
-        }
+        return isOfDrone(input) ? ofDrone(state, input) : ofWaypoint(state, input);
+    }
+
+    private static boolean isOfDrone(RunInput input) {
         return input instanceof RunInput.JoinDrone
-                        || input instanceof RunInput.ResumeDrone
-                        || input instanceof RunInput.GiveUpDrone
-                ? ofDrone(state, input)
-                : ofWaypoint(state, input);
+                || input instanceof RunInput.JoinFromPool
+                || input instanceof RunInput.ResumeDrone
+                || input instanceof RunInput.GiveUpDrone;
     }
 
     private static Optional<Objection> ofPause(boolean paused, boolean pauses) {
@@ -74,6 +74,9 @@ final class RunRefusals {
 
     private static Optional<Objection> ofDrone(RunState state, RunInput input) {
         if (input instanceof RunInput.JoinDrone join) {
+            return joins(state, join.craft());
+        }
+        if (input instanceof RunInput.JoinFromPool join) {
             return joins(state, join.craft());
         }
         boolean resumes = input instanceof RunInput.ResumeDrone;
