@@ -2,7 +2,23 @@
 
 import click
 
-from dronectl import about, call, drones, events, flight, follow, keys, logs, mission, params, plan, record, run, users
+from dronectl import (
+    about,
+    call,
+    dispatch,
+    drones,
+    events,
+    flight,
+    follow,
+    keys,
+    logs,
+    mission,
+    params,
+    plan,
+    record,
+    run,
+    users,
+)
 from dronectl import virtual as virtual_drones
 from dronectl import zones as zone
 from dronectl.command import Group
@@ -23,6 +39,8 @@ _COMMANDS: tuple[click.Command, ...] = (
     mission.mission,
     plan.plan,
     run.run,
+    dispatch.send,
+    dispatch.dispatch,
     follow.follow,
     virtual_drones.virtual,
     zone.zones,

@@ -15,6 +15,7 @@ from dronemap.client import AsyncDronemap, NoSuchDrone
 from dronemap.connection import Server, find_server
 from dronemap.contract import models
 from dronemap.contract.models import EventGap, NumberedEvent
+from dronemap.dispatch import NotHere
 from dronemap.errors import (
     AnswerLost,
     ControlLost,
@@ -61,6 +62,7 @@ __all__ = [
     "Mission",
     "MissionFailed",
     "NoSuchDrone",
+    "NotHere",
     "NotConfigured",
     "NumberedEvent",
     "Outcome",

@@ -4,12 +4,14 @@ from collections.abc import Iterable
 
 from dronemap.connection import find_server
 from dronemap.contract.models import (
+    DispatchRequest,
     FollowOpenRequest,
     FollowPlaceRequest,
     PlanRequest,
     VirtualDroneRequest,
 )
 from dronemap.contract.operations import Operations
+from dronemap.dispatch import AsyncDispatch
 from dronemap.drone import AsyncDrone
 from dronemap.errors import DronemapError
 from dronemap.events import AsyncEvents
@@ -115,6 +117,13 @@ class AsyncDronemap:
             latitude=latitude, longitude=longitude, drone=drone, minutes=minutes, place=place, name=name
         )
         return AsyncFollow(await self.rest.open_follow(asked), self.rest, self.stream)
+
+    async def send(
+        self, latitude: float, longitude: float, *, height: float | None = None, minutes: float | None = None
+    ) -> AsyncDispatch:
+        """Sends the best free drone of the pool there, `height` metres above its home; who asks gets its control."""
+        asked = DispatchRequest(latitude=latitude, longitude=longitude, height=height, minutes=minutes)
+        return AsyncDispatch(await self.rest.send_drone(asked), self.rest, self.stream)
 
     async def virtual_drones(self) -> list[AsyncVirtualDrone]:
         listed = await self.rest.list_virtual_drones()

@@ -5,6 +5,8 @@ import type { OpenAPI3, SchemaObject } from 'openapi-typescript';
 export const ADDED_MEMBERS: Readonly<Record<string, readonly string[]>> = {
   DroneBatteryView: ['further'],
   DroneLinkView: ['outdated'],
+  PlanView: ['upTo'],
+  RunView: ['upTo'],
 };
 
 export function withAddedMembersOptional(

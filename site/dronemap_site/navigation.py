@@ -86,6 +86,7 @@ SECTIONS = (
                     "docs/jobs/cloud-loss.md",
                     "docs/jobs/zones.md",
                     "docs/jobs/follow-a-phone.md",
+                    "docs/jobs/send-a-drone.md",
                 ),
             ),
             Section(

@@ -1,5 +1,6 @@
 import type { RestOperations } from '@dronemap/client';
 import type { Outlook, CloudLossState } from './api/control';
+import type { Dispatch } from './api/dispatches';
 import type { Follow, FollowNow, PhoneReach } from './api/follows';
 import type { MissionRun, RunDrone, RunWaypoint } from './api/runs';
 import type { Action, Command, Drone, VehicleMission } from './api/types';
@@ -202,6 +203,29 @@ export function aFollow(change: Partial<Follow> = {}): Follow {
 }
 
 /** The drone is 8 m away; the phone said then where it is. */
+/** A drone that comes to a place, for tests. */
+export function aDispatch(change: Partial<Dispatch> = {}): Dispatch {
+  return {
+    id: 's1',
+    owner: 'ann',
+    beganAt: '2026-01-01T11:58:00Z',
+    endedAt: null,
+    state: 'enRoute',
+    since: '2026-01-01T11:58:30Z',
+    latitude: 47.3989,
+    longitude: 8.5456,
+    height: 30,
+    note: null,
+    end: null,
+    drone: 'd1',
+    droneName: 'Falcon',
+    told: [],
+    others: [],
+    now: { latitude: 47.3977, longitude: 8.5456, height: 30, distance: 142, seconds: 29, battery: 80 },
+    ...change,
+  };
+}
+
 export function aFollowNow(heard: string, reach: PhoneReach | null = 'speaks'): FollowNow {
   return {
     droneAt: { latitude: 47.3978, longitude: 8.5456 },

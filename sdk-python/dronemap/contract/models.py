@@ -308,6 +308,129 @@ class DisarmCommand(Model):
     type: Literal["disarm"] = "disarm"
 
 
+class DispatchNowView(Model):
+    """
+    What changes all the time; null: nobody knows it.
+    """
+
+    battery: int | None = None
+    """
+    per cent
+    """
+    distance: float | None = None
+    """
+    metres on the ground to the place
+    """
+    height: float | None = None
+    """
+    metres above its home
+    """
+    latitude: float | None = None
+    """
+    degrees
+    """
+    longitude: float | None = None
+    """
+    degrees
+    """
+    seconds: int | None = None
+    """
+    seconds until it is there, as far as can be said; null: it is there, or not on its way
+    """
+
+
+class DispatchOtherView(Model):
+    drone: str
+    drone_name: str
+
+
+class DispatchRequest(Model):
+    """
+    Where a drone is wanted.
+    """
+
+    height: float | None = None
+    """
+    metres above the home of the drone that comes, 5 to 120; left out: 30
+    """
+    latitude: float
+    """
+    degrees, -90 to 90
+    """
+    longitude: float
+    """
+    degrees, -180 to 180
+    """
+    minutes: float | None = None
+    """
+    How long it shall be able to stay there, 1 to 60 minutes: so much has to be in the battery beside the way there and back; left out: 5
+    """
+
+
+class DispatchToldView(Model):
+    at: AwareDatetime
+    words: str
+
+
+class DispatchView(Model):
+    """
+    A drone that was sent to a place, as it stands.
+    """
+
+    began_at: AwareDatetime
+    drone: str | None = None
+    """
+    The id of the drone that comes or is here; null: none does
+    """
+    drone_name: str | None = None
+    end: str | None = None
+    """
+    Why no drone comes any more, or how it ended
+    """
+    ended_at: AwareDatetime | None = None
+    """
+    null: it is under way
+    """
+    height: float
+    """
+    metres above the home of the drone that comes
+    """
+    id: str
+    latitude: float
+    """
+    degrees
+    """
+    longitude: float
+    """
+    degrees
+    """
+    note: str | None = None
+    """
+    What is not as it should be
+    """
+    now: DispatchNowView | None = None
+    """
+    How the drone is to the place now; null: none comes
+    """
+    others: list[DispatchOtherView] = []
+    """
+    Drones that were sent and fly home
+    """
+    owner: str
+    """
+    The user who asked, and gets control
+    """
+    since: AwareDatetime
+    state: Literal["chosen", "starting", "enRoute", "arrived", "here", "searching", "returning", "over"] | str
+    """
+    chosen: a drone is kept, on the ground; arrived: control goes over to the owner; here: the owner has control; searching: the drone before cannot come, and another one is looked for; returning: none comes any more, and what flew for it flies home
+    """
+    told: list[DispatchToldView] = []
+    """
+    What it said, the newest 30, the oldest first; first why this drone was chosen
+    """
+
+
 class DroneActionView(Model):
     allowed: bool
     code: str | None = None
@@ -2941,6 +3064,10 @@ class BroadcastView(Model):
     results: list[BroadcastResult] = []
 
 
+class DispatchList(Model):
+    dispatches: list[DispatchView] = []
+
+
 class DroneBatteryView(Model):
     amps: float | None = None
     further: list[DroneFurtherBatteryView] = []
@@ -3269,6 +3396,10 @@ class PlanView(Model):
     """
     seed: int
     state: Literal["queued", "running", "finished", "cancelled", "failed"] | str
+    up_to: int | None = None
+    """
+    The cloud chose up to so many drones of the pool; null: they were named
+    """
     waypoints: int
     """
     How many waypoints there are to visit
@@ -3777,9 +3908,9 @@ class PlanRequest(Model):
     Waypoints that are to be shared out among drones.
     """
 
-    drones: list[str]
+    drones: list[str] | None = None
     """
-    Ids of 1 to 100 drones that are on the ground
+    Ids of 1 to 100 drones that are on the ground; left out with upTo
     """
     objective: PlanObjectiveRequest | None = None
     """
@@ -3792,6 +3923,10 @@ class PlanRequest(Model):
     seed: int | None = None
     """
     Where the search begins; left out: 1
+    """
+    up_to: int | None = None
+    """
+    1 to 100: the cloud chooses up to so many drones of the pool that you may command, those that are free and nearest to the waypoints; left out with drones
     """
     waypoints: list[PlanWaypointRequest]
     """
@@ -3844,6 +3979,10 @@ class RunView(Model):
     A changed plan that waits for an answer; null: none does
     """
     state: Literal["running", "paused", "stopping", "over"] | str
+    up_to: int | None = None
+    """
+    Up to so many drones of the pool fly it, chosen by the cloud; null: they were named
+    """
     waypoints: list[RunWaypointView] = []
 
 

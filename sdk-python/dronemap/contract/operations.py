@@ -114,6 +114,13 @@ class Operations:
         call = Call("broadcastCommand", "POST", "/commands", query={"wait": wait}, body=body)
         return await self._sender.send(call, models.BroadcastView)
 
+    async def cancel_dispatch(self, id: str) -> models.DispatchView:
+        """Call a drone off that was sent (operator). It flies home, also when it is there and you have control of
+        it. 409 when it was called off already, or is over.
+        """
+        call = Call("cancelDispatch", "POST", placed("/dispatches/{id}/cancel", id=id))
+        return await self._sender.send(call, models.DispatchView)
+
     async def cancel_follow(self, id: str) -> models.FollowView:
         """Cancel a follow (operator). Before the drone follows: it is free again. 409 once it follows; stop it then."""
         call = Call("cancelFollow", "POST", placed("/follows/{id}/cancel", id=id))
@@ -400,6 +407,11 @@ class Operations:
         """See who has control."""
         call = Call("getControl", "GET", placed("/drones/{id}/control", id=id))
         return await self._sender.send(call, models.ControlView)
+
+    async def get_dispatch(self, id: str) -> models.DispatchView:
+        """Look at one drone that was sent."""
+        call = Call("getDispatch", "GET", placed("/dispatches/{id}", id=id))
+        return await self._sender.send(call, models.DispatchView)
 
     async def get_drone(self, id: str) -> models.DroneView:
         """Look at one drone."""
@@ -706,6 +718,13 @@ class Operations:
         """List a drone's last commands. Newest first, at most 50."""
         call = Call("listCommands", "GET", placed("/drones/{id}/commands", id=id))
         return await self._sender.send(call, models.Commands)
+
+    async def list_dispatches(self) -> models.DispatchList:
+        """List drones that were sent. Yours, and those of your organisation whose drones you all see: under way, and
+        the newest that are over.
+        """
+        call = Call("listDispatches", "GET", "/dispatches")
+        return await self._sender.send(call, models.DispatchList)
 
     async def list_drone_events(
         self,
@@ -1250,6 +1269,16 @@ class Operations:
             },
         )
         return await self._sender.send(call, models.AuditPage)
+
+    async def send_drone(self, body: models.DispatchRequest) -> models.DispatchView:
+        """Send a drone here (operator). Of the drones of the pool that you may command, the nearest that can come is
+        chosen: it is free, zones let it go there and back, its battery lasts with a reserve, its link is good,
+        and it can hover. It starts at once. When it is there, you have control of it, as if you had taken it:
+        give signs of life from then on, within 20 s, or it holds and flies home. 409 with why each cannot, when
+        none can.
+        """
+        call = Call("sendDrone", "POST", "/dispatches", body=body)
+        return await self._sender.send(call, models.DispatchView)
 
     async def set_fence(self, id: str, body: models.FenceView) -> models.CommandView:
         """Replace the fence (operator). Up to 500 polygons and circles with together 2000 corners, and a return

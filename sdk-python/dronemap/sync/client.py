@@ -11,7 +11,7 @@ from dronemap.sync.drone import Drone
 from dronemap.sync.events import Events
 from dronemap.sync.loop import LoopThread
 from dronemap.sync.operations import SyncOperations
-from dronemap.sync.tracked import Follow, Plan, Run, VirtualDrone
+from dronemap.sync.tracked import Dispatch, Follow, Plan, Run, VirtualDrone
 from dronemap.transport import Transport
 
 
@@ -100,6 +100,13 @@ class Dronemap:
         """Asks for a drone that follows; without `drone` the server chooses one of the warehouse."""
         asked = self._awaited.follow(latitude, longitude, drone=drone, minutes=minutes, place=place, name=name)
         return Follow(self._loop, self._loop.run(asked))
+
+    def send(
+        self, latitude: float, longitude: float, *, height: float | None = None, minutes: float | None = None
+    ) -> Dispatch:
+        """Sends the best free drone of the pool there, `height` metres above its home; who asks gets its control."""
+        asked = self._awaited.send(latitude, longitude, height=height, minutes=minutes)
+        return Dispatch(self._loop, self._loop.run(asked))
 
     def virtual_drones(self) -> list[VirtualDrone]:
         return [VirtualDrone(self._loop, drone) for drone in self._loop.run(self._awaited.virtual_drones())]

@@ -98,6 +98,12 @@ class SyncOperations:
         """
         return self._loop.run(self._awaited.broadcast_command(body, wait=wait))
 
+    def cancel_dispatch(self, id: str) -> models.DispatchView:
+        """Call a drone off that was sent (operator). It flies home, also when it is there and you have control of
+        it. 409 when it was called off already, or is over.
+        """
+        return self._loop.run(self._awaited.cancel_dispatch(id))
+
     def cancel_follow(self, id: str) -> models.FollowView:
         """Cancel a follow (operator). Before the drone follows: it is free again. 409 once it follows; stop it then."""
         return self._loop.run(self._awaited.cancel_follow(id))
@@ -337,6 +343,10 @@ class SyncOperations:
     def get_control(self, id: str) -> models.ControlView:
         """See who has control."""
         return self._loop.run(self._awaited.get_control(id))
+
+    def get_dispatch(self, id: str) -> models.DispatchView:
+        """Look at one drone that was sent."""
+        return self._loop.run(self._awaited.get_dispatch(id))
 
     def get_drone(self, id: str) -> models.DroneView:
         """Look at one drone."""
@@ -581,6 +591,12 @@ class SyncOperations:
     def list_commands(self, id: str) -> models.Commands:
         """List a drone's last commands. Newest first, at most 50."""
         return self._loop.run(self._awaited.list_commands(id))
+
+    def list_dispatches(self) -> models.DispatchList:
+        """List drones that were sent. Yours, and those of your organisation whose drones you all see: under way, and
+        the newest that are over.
+        """
+        return self._loop.run(self._awaited.list_dispatches())
 
     def list_drone_events(
         self,
@@ -1026,6 +1042,15 @@ class SyncOperations:
                 limit=limit,
             )
         )
+
+    def send_drone(self, body: models.DispatchRequest) -> models.DispatchView:
+        """Send a drone here (operator). Of the drones of the pool that you may command, the nearest that can come is
+        chosen: it is free, zones let it go there and back, its battery lasts with a reserve, its link is good,
+        and it can hover. It starts at once. When it is there, you have control of it, as if you had taken it:
+        give signs of life from then on, within 20 s, or it holds and flies home. 409 with why each cannot, when
+        none can.
+        """
+        return self._loop.run(self._awaited.send_drone(body))
 
     def set_fence(self, id: str, body: models.FenceView) -> models.CommandView:
         """Replace the fence (operator). Up to 500 polygons and circles with together 2000 corners, and a return

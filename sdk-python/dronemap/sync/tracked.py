@@ -5,6 +5,7 @@ from datetime import datetime
 from typing import Literal
 
 from dronemap.contract.models import (
+    DispatchView,
     FollowReceipt,
     FollowView,
     PlanView,
@@ -12,6 +13,7 @@ from dronemap.contract.models import (
     RunView,
     VirtualDroneView,
 )
+from dronemap.dispatch import AsyncDispatch
 from dronemap.follow import AsyncFollow
 from dronemap.plan import AsyncPlan, AsyncRun
 from dronemap.sync.loop import LoopThread
@@ -132,6 +134,35 @@ class Follow:
 
     def cancel(self) -> FollowView:
         """Gives the drone back before it has taken off."""
+        return self._loop.run(self._awaited.cancel())
+
+
+class Dispatch:
+    """A drone that was sent to a place (see `AsyncDispatch`)."""
+
+    def __init__(self, loop: LoopThread, awaited: AsyncDispatch) -> None:
+        self._loop = loop
+        self._awaited = awaited
+        self.id = awaited.id
+
+    @property
+    def view(self) -> DispatchView:
+        return self._awaited.view
+
+    def progress(self) -> Iterator[DispatchView]:
+        """As it stands now, and whenever that changes, up to when the drone is here, or none comes any more."""
+        return self._loop.iterate(self._awaited.progress())
+
+    def arrival(self, timeout: float | None = None) -> str:
+        """Returns the id of the drone that is here; raises `NotHere` when none comes."""
+        return self._loop.run(self._awaited.arrival(timeout))
+
+    def wait(self, timeout: float | None = None) -> DispatchView:
+        """Returns when it is over; `view.end` says how."""
+        return self._loop.run(self._awaited.wait(timeout))
+
+    def cancel(self) -> DispatchView:
+        """Calls it off: the drone flies home, from wherever it is."""
         return self._loop.run(self._awaited.cancel())
 
 

@@ -139,6 +139,24 @@ FOLLOW: Members = {
     "state": "allocated",
     "told": [{"at": NOW, "words": "Heron-1 was chosen."}],
 }
+DISPATCH: Members = {
+    "id": "s1",
+    "owner": "ann",
+    "beganAt": NOW,
+    "endedAt": None,
+    "state": "chosen",
+    "since": NOW,
+    "latitude": -33.5,
+    "longitude": -70.5,
+    "height": 30.0,
+    "note": None,
+    "end": None,
+    "drone": "d1",
+    "droneName": "Heron-1",
+    "told": [{"at": NOW, "words": "Heron-1 was chosen."}],
+    "others": [],
+    "now": None,
+}
 RECEIPT: Members = {"at": NOW, "follow": "f1", "known": 0, "taken": 1, "upTo": 1}
 VIRTUAL: Members = {
     "id": "v1",

@@ -65,6 +65,15 @@ CASES = [
     Case("run pause r1", "POST /runs/r1/pause", samples.RUN, "Tour"),
     Case("run continue r1", "POST /runs/r1/continue", samples.RUN, "Tour"),
     Case("run stop r1", "POST /runs/r1/stop", samples.RUN, "Tour"),
+    Case(
+        "send -33.5 -70.5 --height 40 --no-wait",
+        "POST /dispatches",
+        samples.DISPATCH,
+        "Heron-1 was chosen.",
+        {"latitude": -33.5, "longitude": -70.5, "height": 40},
+    ),
+    Case("dispatch list", "GET /dispatches", {"dispatches": [samples.DISPATCH]}, "chosen"),
+    Case("dispatch cancel s1", "POST /dispatches/s1/cancel", samples.DISPATCH, "Heron-1"),
     Case("follow list", "GET /follows", {"follows": [samples.FOLLOW]}, "allocated"),
     Case(
         "follow open -33.5 -70.5 --side orbit --turn -5",

@@ -18,6 +18,9 @@ import type {
   ControlTakeOverRequest,
   ControlView,
   Credentials,
+  DispatchList,
+  DispatchRequest,
+  DispatchView,
   DroneView,
   Drones,
   DtlsKeyRequest,
@@ -169,6 +172,8 @@ export interface RestOperations {
   answerRun(parameters: { id: string; proposal: string }, body: RunAnswerRequest, options?: CallOptions): Promise<RunView>;
   /** Give one command to several drones or all (operator): POST /api/v1/commands */
   broadcastCommand(parameters: { wait?: number | undefined }, body: BroadcastRequest, options?: CallOptions): Promise<BroadcastView>;
+  /** Call a drone off that was sent (operator): POST /api/v1/dispatches/{id}/cancel */
+  cancelDispatch(parameters: { id: string }, options?: CallOptions): Promise<DispatchView>;
   /** Cancel a follow (operator): POST /api/v1/follows/{id}/cancel */
   cancelFollow(parameters: { id: string }, options?: CallOptions): Promise<FollowView>;
   /** Cancel a waypoint of a mission run (operator): DELETE /api/v1/runs/{id}/waypoints/{waypoint} */
@@ -243,6 +248,8 @@ export interface RestOperations {
   getCommand(parameters: { id: string }, options?: CallOptions): Promise<CommandView>;
   /** See who has control: GET /api/v1/drones/{id}/control */
   getControl(parameters: { id: string }, options?: CallOptions): Promise<ControlView>;
+  /** Look at one drone that was sent: GET /api/v1/dispatches/{id} */
+  getDispatch(parameters: { id: string }, options?: CallOptions): Promise<DispatchView>;
   /** Look at one drone: GET /api/v1/drones/{id} */
   getDrone(parameters: { id: string }, options?: CallOptions): Promise<DroneView>;
   /** Look at numbers over time: GET /api/v1/drones/{id}/telemetry */
@@ -333,6 +340,8 @@ export interface RestOperations {
   listAccessKeys(options?: CallOptions): Promise<AccessKeys>;
   /** List a drone's last commands: GET /api/v1/drones/{id}/commands */
   listCommands(parameters: { id: string }, options?: CallOptions): Promise<Commands>;
+  /** List drones that were sent: GET /api/v1/dispatches */
+  listDispatches(options?: CallOptions): Promise<DispatchList>;
   /** Look at what happened to a drone: GET /api/v1/drones/{id}/events */
   listDroneEvents(parameters: { id: string; from?: string | null | undefined; until?: string | null | undefined; fields?: string | null | undefined; slots?: string | null | undefined; most?: string | null | undefined }, options?: CallOptions): Promise<Events>;
   /** Look at states over time: GET /api/v1/drones/{id}/telemetry/points */
@@ -483,6 +492,8 @@ export interface RestOperations {
   rotateLinkKey(parameters: { id: string }, body?: LinkSecurityChangeRequest, options?: CallOptions): Promise<LinkSecurityView>;
   /** Look for records (supervisor): GET /api/v1/audit */
   searchAudit(parameters?: { user?: string | null | undefined; drone?: string | null | undefined; operation?: string | null | undefined; face?: string | null | undefined; outcome?: string | null | undefined; from?: string | null | undefined; until?: string | null | undefined; before?: number | undefined; limit?: number | undefined }, options?: CallOptions): Promise<AuditPage>;
+  /** Send a drone here (operator): POST /api/v1/dispatches */
+  sendDrone(body: DispatchRequest, options?: CallOptions): Promise<DispatchView>;
   /** Replace the fence (operator): PUT /api/v1/drones/{id}/fence */
   setFence(parameters: { id: string }, body: FenceView, options?: CallOptions): Promise<CommandView>;
   /** Make the cloud's zones the vehicle's own fence (planner): PUT /api/v1/drones/{id}/fence/zones */
@@ -557,6 +568,7 @@ export const OPERATIONS = {
   annotateFlight: { method: 'PATCH', path: '/api/v1/flights/{id}', body: ['application/json'], answer: 'json' },
   answerRun: { method: 'POST', path: '/api/v1/runs/{id}/answers/{proposal}', body: ['application/json'], answer: 'json' },
   broadcastCommand: { method: 'POST', path: '/api/v1/commands', query: ['wait'], body: ['application/json'], answer: 'json' },
+  cancelDispatch: { method: 'POST', path: '/api/v1/dispatches/{id}/cancel', answer: 'json' },
   cancelFollow: { method: 'POST', path: '/api/v1/follows/{id}/cancel', answer: 'json' },
   cancelRunWaypoint: { method: 'DELETE', path: '/api/v1/runs/{id}/waypoints/{waypoint}', answer: 'json' },
   changeFollow: { method: 'PATCH', path: '/api/v1/follows/{id}', body: ['application/json'], answer: 'json' },
@@ -594,6 +606,7 @@ export const OPERATIONS = {
   getAuditReceipt: { method: 'GET', path: '/api/v1/audit/receipt', answer: 'json' },
   getCommand: { method: 'GET', path: '/api/v1/commands/{id}', answer: 'json' },
   getControl: { method: 'GET', path: '/api/v1/drones/{id}/control', answer: 'json' },
+  getDispatch: { method: 'GET', path: '/api/v1/dispatches/{id}', answer: 'json' },
   getDrone: { method: 'GET', path: '/api/v1/drones/{id}', answer: 'json' },
   getDroneTelemetry: { method: 'GET', path: '/api/v1/drones/{id}/telemetry', query: ['from', 'until', 'fields', 'slots', 'most'], answer: 'json' },
   getEndpoint: { method: 'GET', path: '/api/v1/endpoints/{id}', answer: 'json' },
@@ -639,6 +652,7 @@ export const OPERATIONS = {
   keepControl: { method: 'POST', path: '/api/v1/drones/{id}/control/heartbeat', body: ['application/json'], answer: 'json' },
   listAccessKeys: { method: 'GET', path: '/api/v1/access-keys', answer: 'json' },
   listCommands: { method: 'GET', path: '/api/v1/drones/{id}/commands', answer: 'json' },
+  listDispatches: { method: 'GET', path: '/api/v1/dispatches', answer: 'json' },
   listDroneEvents: { method: 'GET', path: '/api/v1/drones/{id}/events', query: ['from', 'until', 'fields', 'slots', 'most'], answer: 'json' },
   listDroneTelemetryPoints: { method: 'GET', path: '/api/v1/drones/{id}/telemetry/points', query: ['from', 'until', 'fields', 'slots', 'most'], answer: 'json' },
   listDrones: { method: 'GET', path: '/api/v1/drones', query: ['active'], answer: 'json' },
@@ -714,6 +728,7 @@ export const OPERATIONS = {
   revokeRobotKey: { method: 'DELETE', path: '/api/v1/robot-keys/{id}', answer: 'nothing' },
   rotateLinkKey: { method: 'POST', path: '/api/v1/drones/{id}/link-key/rotate', body: ['application/json'], answer: 'json' },
   searchAudit: { method: 'GET', path: '/api/v1/audit', query: ['user', 'drone', 'operation', 'face', 'outcome', 'from', 'until', 'before', 'limit'], answer: 'json' },
+  sendDrone: { method: 'POST', path: '/api/v1/dispatches', body: ['application/json'], answer: 'json' },
   setFence: { method: 'PUT', path: '/api/v1/drones/{id}/fence', body: ['application/json'], answer: 'json' },
   setFenceFromZones: { method: 'PUT', path: '/api/v1/drones/{id}/fence/zones', answer: 'json' },
   setGroupOnlyGranted: { method: 'PUT', path: '/api/v1/groups/{id}/only-granted', body: ['application/json'], answer: 'nothing' },

@@ -156,6 +156,96 @@ export interface components {
              */
             type: "disarm";
         };
+        /** @description What changes all the time; null: nobody knows it. */
+        DispatchNowView: {
+            /**
+             * Format: int32
+             * @description per cent
+             */
+            battery: number | null;
+            /**
+             * Format: double
+             * @description metres on the ground to the place
+             */
+            distance: number | null;
+            /**
+             * Format: double
+             * @description metres above its home
+             */
+            height: number | null;
+            /**
+             * Format: double
+             * @description degrees
+             */
+            latitude: number | null;
+            /**
+             * Format: double
+             * @description degrees
+             */
+            longitude: number | null;
+            /**
+             * Format: int32
+             * @description seconds until it is there, as far as can be said; null: it is there, or not on its way
+             */
+            seconds: number | null;
+        };
+        DispatchOtherView: {
+            drone: string;
+            droneName: string;
+        };
+        DispatchToldView: {
+            /** Format: date-time */
+            at: string;
+            words: string;
+        };
+        /** @description A drone that was sent to a place, as it stands. */
+        DispatchView: {
+            /** Format: date-time */
+            beganAt: string;
+            /** @description The id of the drone that comes or is here; null: none does */
+            drone: string | null;
+            droneName: string | null;
+            /** @description Why no drone comes any more, or how it ended */
+            end: string | null;
+            /**
+             * Format: date-time
+             * @description null: it is under way
+             */
+            endedAt: string | null;
+            /**
+             * Format: double
+             * @description metres above the home of the drone that comes
+             */
+            height: number;
+            id: string;
+            /**
+             * Format: double
+             * @description degrees
+             */
+            latitude: number;
+            /**
+             * Format: double
+             * @description degrees
+             */
+            longitude: number;
+            /** @description What is not as it should be */
+            note: string | null;
+            /** @description How the drone is to the place now; null: none comes */
+            now: components["schemas"]["DispatchNowView"] | null;
+            /** @description Drones that were sent and fly home */
+            others: components["schemas"]["DispatchOtherView"][];
+            /** @description The user who asked, and gets control */
+            owner: string;
+            /** Format: date-time */
+            since: string;
+            /**
+             * @description chosen: a drone is kept, on the ground; arrived: control goes over to the owner; here: the owner has control; searching: the drone before cannot come, and another one is looked for; returning: none comes any more, and what flew for it flies home
+             * @enum {string}
+             */
+            state: "chosen" | "starting" | "enRoute" | "arrived" | "here" | "searching" | "returning" | "over";
+            /** @description What it said, the newest 30, the oldest first; first why this drone was chosen */
+            told: components["schemas"]["DispatchToldView"][];
+        };
         DroneActionView: {
             allowed: boolean;
             /** @description Why not, for programs; docs/problems.md lists them; left out when it is allowed */
@@ -957,6 +1047,11 @@ export interface components {
             state: "queued" | "running" | "finished" | "cancelled" | "failed";
             /**
              * Format: int32
+             * @description The cloud chose up to so many drones of the pool; null: they were named
+             */
+            upTo?: number | null;
+            /**
+             * Format: int32
              * @description How many waypoints there are to visit
              */
             waypoints: number;
@@ -1226,6 +1321,11 @@ export interface components {
             proposal: components["schemas"]["RunProposalView"] | null;
             /** @enum {string} */
             state: "running" | "paused" | "stopping" | "over";
+            /**
+             * Format: int32
+             * @description Up to so many drones of the pool fly it, chosen by the cloud; null: they were named
+             */
+            upTo?: number | null;
             waypoints: components["schemas"]["RunWaypointView"][];
         };
         RunVisitView: {
@@ -1572,6 +1672,19 @@ export interface components {
             /** @enum {string} */
             type: "control";
         };
+        /** @description A drone that was sent; all that are under way once after hello, then when one changes. */
+        StreamDispatchChanged: {
+            dispatch: components["schemas"]["DispatchView"];
+            /** @enum {string} */
+            type: "dispatch";
+        };
+        /** @description The part of a dispatch that changes all the time; null: nothing is known of it now. */
+        StreamDispatchNow: {
+            id: string;
+            now: components["schemas"]["DispatchNowView"] | null;
+            /** @enum {string} */
+            type: "dispatchNow";
+        };
         /** @description A drone that has changed. */
         StreamDrone: {
             drone: components["schemas"]["DroneView"];
@@ -1628,7 +1741,7 @@ export interface components {
             type: "letGo";
         };
         /** @description What the server says. */
-        StreamMessage: components["schemas"]["StreamHello"] | components["schemas"]["StreamDrones"] | components["schemas"]["StreamDrone"] | components["schemas"]["StreamDroneRemoved"] | components["schemas"]["StreamZoneChanged"] | components["schemas"]["StreamZoneRemoved"] | components["schemas"]["StreamVirtualDroneChanged"] | components["schemas"]["StreamVirtualDroneRemoved"] | components["schemas"]["StreamPlanChanged"] | components["schemas"]["StreamPlanRemoved"] | components["schemas"]["StreamRunChanged"] | components["schemas"]["StreamFollowChanged"] | components["schemas"]["StreamFollowNow"] | components["schemas"]["StreamPositionsHeard"] | components["schemas"]["StreamCommand"] | components["schemas"]["StreamCommandAccepted"] | components["schemas"]["StreamControl"] | components["schemas"]["StreamControlAnswer"] | components["schemas"]["StreamError"] | components["schemas"]["StreamPing"] | components["schemas"]["StreamPong"];
+        StreamMessage: components["schemas"]["StreamHello"] | components["schemas"]["StreamDrones"] | components["schemas"]["StreamDrone"] | components["schemas"]["StreamDroneRemoved"] | components["schemas"]["StreamZoneChanged"] | components["schemas"]["StreamZoneRemoved"] | components["schemas"]["StreamVirtualDroneChanged"] | components["schemas"]["StreamVirtualDroneRemoved"] | components["schemas"]["StreamPlanChanged"] | components["schemas"]["StreamPlanRemoved"] | components["schemas"]["StreamRunChanged"] | components["schemas"]["StreamFollowChanged"] | components["schemas"]["StreamFollowNow"] | components["schemas"]["StreamPositionsHeard"] | components["schemas"]["StreamDispatchChanged"] | components["schemas"]["StreamDispatchNow"] | components["schemas"]["StreamCommand"] | components["schemas"]["StreamCommandAccepted"] | components["schemas"]["StreamControl"] | components["schemas"]["StreamControlAnswer"] | components["schemas"]["StreamError"] | components["schemas"]["StreamPing"] | components["schemas"]["StreamPong"];
         /** @description The sign of life, once a second, by the clock of the cloud. */
         StreamPing: {
             /** Format: date-time */
@@ -2164,6 +2277,32 @@ export interface components {
         Credentials: {
             name?: string | null;
             password?: string | null;
+        };
+        DispatchList: {
+            dispatches: components["schemas"]["DispatchView"][];
+        };
+        /** @description Where a drone is wanted. */
+        DispatchRequest: {
+            /**
+             * Format: double
+             * @description metres above the home of the drone that comes, 5 to 120; left out: 30
+             */
+            height?: number | null;
+            /**
+             * Format: double
+             * @description degrees
+             */
+            latitude: number;
+            /**
+             * Format: double
+             * @description degrees
+             */
+            longitude: number;
+            /**
+             * Format: double
+             * @description How long it shall be able to stay there, 1 to 60 minutes: so much has to be in the battery beside the way there and back; left out: 5
+             */
+            minutes?: number | null;
         };
         Drones: {
             drones: components["schemas"]["DroneView"][];
@@ -3132,8 +3271,8 @@ export interface components {
         };
         /** @description Waypoints that are to be shared out among drones. */
         PlanRequest: {
-            /** @description Ids of 1 to 100 drones that are on the ground */
-            drones: string[];
+            /** @description Ids of 1 to 100 drones that are on the ground; left out with upTo */
+            drones?: string[] | null;
             /** @description What the plan is to be good at; left out: all done as early as can be */
             objective?: components["schemas"]["PlanObjectiveRequest"] | null;
             /**
@@ -3146,6 +3285,11 @@ export interface components {
              * @description Where the search begins; left out: 1
              */
             seed?: number | null;
+            /**
+             * Format: int32
+             * @description 1 to 100: the cloud chooses up to so many drones of the pool that you may command, those that are free and nearest to the waypoints; left out with drones
+             */
+            upTo?: number | null;
             /** @description 1 to 5000 */
             waypoints: components["schemas"]["PlanWaypointRequest"][];
             /** @description The same everywhere; left out: calm */
@@ -3780,6 +3924,10 @@ export type ControlAskedView = components['schemas']['ControlAskedView'];
 export type ControlChangeView = components['schemas']['ControlChangeView'];
 export type ControlView = components['schemas']['ControlView'];
 export type DisarmCommand = components['schemas']['DisarmCommand'];
+export type DispatchNowView = components['schemas']['DispatchNowView'];
+export type DispatchOtherView = components['schemas']['DispatchOtherView'];
+export type DispatchToldView = components['schemas']['DispatchToldView'];
+export type DispatchView = components['schemas']['DispatchView'];
 export type DroneActionView = components['schemas']['DroneActionView'];
 export type DroneAttitudeView = components['schemas']['DroneAttitudeView'];
 export type DroneBatteryView = components['schemas']['DroneBatteryView'];
@@ -3875,6 +4023,8 @@ export type StreamControlReleaseRequest = components['schemas']['StreamControlRe
 export type StreamControlRequest = components['schemas']['StreamControlRequest'];
 export type StreamControlTakeOverRequest = components['schemas']['StreamControlTakeOverRequest'];
 export type StreamControlTakeRequest = components['schemas']['StreamControlTakeRequest'];
+export type StreamDispatchChanged = components['schemas']['StreamDispatchChanged'];
+export type StreamDispatchNow = components['schemas']['StreamDispatchNow'];
 export type StreamDrone = components['schemas']['StreamDrone'];
 export type StreamDroneRemoved = components['schemas']['StreamDroneRemoved'];
 export type StreamDrones = components['schemas']['StreamDrones'];
@@ -3933,6 +4083,8 @@ export type ControlHeartbeatRequest = components['schemas']['ControlHeartbeatReq
 export type ControlRefuseRequest = components['schemas']['ControlRefuseRequest'];
 export type ControlTakeOverRequest = components['schemas']['ControlTakeOverRequest'];
 export type Credentials = components['schemas']['Credentials'];
+export type DispatchList = components['schemas']['DispatchList'];
+export type DispatchRequest = components['schemas']['DispatchRequest'];
 export type Drones = components['schemas']['Drones'];
 export type DtlsKeyRequest = components['schemas']['DtlsKeyRequest'];
 export type DtlsKeyView = components['schemas']['DtlsKeyView'];

@@ -173,6 +173,8 @@ function keyOf(message: StreamMessage): unknown {
       return `drone ${message.id}`;
     case 'followNow':
       return `followNow ${message.id}`;
+    case 'dispatchNow':
+      return `dispatchNow ${message.id}`;
     case 'run':
       return `run ${message.run.id}`;
     case 'plan':

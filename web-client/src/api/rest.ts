@@ -5,6 +5,7 @@ import { AuditCalls } from './audit';
 import { ControlCalls } from './control';
 import type { DtlsKey, Endpoint, NewRobotKey, RobotKey } from './endpoints';
 import { FlightCalls } from './flights';
+import { DispatchCalls } from './dispatches';
 import { FollowCalls } from './follows';
 import { GrantCalls } from './grants';
 import type { LinkPolicy, LinkSecurity, NewLinkKey } from './link-security';
@@ -34,6 +35,7 @@ export class RestClient {
   readonly audit: AuditCalls;
   readonly flights: FlightCalls;
   readonly follows: FollowCalls;
+  readonly dispatches: DispatchCalls;
   readonly control: ControlCalls;
   readonly grants: GrantCalls;
   readonly outlet: OutletCalls;
@@ -52,6 +54,7 @@ export class RestClient {
     this.audit = new AuditCalls(client);
     this.flights = new FlightCalls(client);
     this.follows = new FollowCalls(rest);
+    this.dispatches = new DispatchCalls(rest);
     this.control = new ControlCalls(rest);
     this.grants = new GrantCalls(rest);
     this.outlet = new OutletCalls(rest);

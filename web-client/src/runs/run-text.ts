@@ -259,3 +259,8 @@ export function replayText(replay: Replay): string {
     ? `Replayed ${entries}: no difference.`
     : `Entry ${replay.number ?? '?'} differs in the replay.`;
 }
+
+/** How many drones of the pool fly it at most, or nothing where they were named. */
+export function poolText({ upTo }: Pick<MissionRun, 'upTo'>): string {
+  return upTo === undefined || upTo === null ? '' : ` · up to ${counted(upTo, 'drone')} of the pool`;
+}

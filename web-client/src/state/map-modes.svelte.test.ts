@@ -13,6 +13,7 @@ let leave: () => void;
 
 /** Switches each mode on, as the page does. */
 const BEGIN: Record<string, () => void> = {
+  'sending a drone': () => (station.dispatches.picking = true),
   'changing a run': () => {
     station.runs.apply(aRun());
     station.runs.show('r1');

@@ -1,5 +1,6 @@
 import { untrack } from 'svelte';
 import { mayAct, type Role } from '../api/accounts';
+import { markWanted } from '../dispatch/wanted-place';
 import type { Coordinates } from '../geo/coordinates';
 import { isSettled } from '../runs/run-text';
 import type { Station } from './station.svelte';
@@ -7,7 +8,7 @@ import { FLEET_DRAFT } from './tours.svelte';
 
 type Part = Pick<
   Station,
-  'view' | 'planner' | 'runs' | 'selected' | 'session' | 'tours' | 'virtuals' | 'zones'
+  'dispatches' | 'view' | 'planner' | 'runs' | 'selected' | 'session' | 'tours' | 'virtuals' | 'zones'
 >;
 
 /** A use of the map in which a click means more than a look. */
@@ -22,6 +23,13 @@ export interface MapMode {
 
 /** The map has one use at a time: of two that are on, the first. */
 export const MAP_MODES: readonly MapMode[] = [
+  {
+    name: 'sending a drone',
+    role: 'operator',
+    isOn: ({ dispatches }) => dispatches.picking,
+    click: (station, place) => void markWanted(station, place),
+    end: ({ dispatches }) => (dispatches.picking = false),
+  },
   {
     name: 'changing a run',
     role: 'operator',

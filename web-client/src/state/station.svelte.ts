@@ -11,6 +11,7 @@ import { Connection } from './connection.svelte';
 import { ControlLeases } from './control-leases.svelte';
 import { ViewState } from './view-state.svelte';
 import { Directory } from './directory.svelte';
+import { Dispatches } from './dispatches.svelte';
 import { Fleet } from './fleet.svelte';
 import { Follows } from './follows.svelte';
 import { applyUpdate } from './stream-updates';
@@ -53,6 +54,7 @@ export class Station {
   readonly tours = new Tours(this.rest.plans);
   readonly runs = new Runs(this.rest.runs);
   readonly follows = new Follows(this.rest.follows);
+  readonly dispatches = new Dispatches(this.rest.dispatches);
   /** undefined: not asked yet; null: nobody is signed in. */
   session = $state.raw<Session | null | undefined>(undefined);
   /** The reason for which the session ended, unless the user signed out. */
@@ -196,8 +198,10 @@ export class Station {
     this.#stream.stop();
     this.signedOut = why;
     this.session = null;
-    const { directory, fleet, leases, zones, virtuals, tours, runs, follows } = this;
-    [directory, fleet, leases, zones, virtuals, tours, runs, follows].forEach((store) => store.clear());
+    const { directory, fleet, leases, zones, virtuals, tours, runs, follows, dispatches } = this;
+    [directory, fleet, leases, zones, virtuals, tours, runs, follows, dispatches].forEach((store) =>
+      store.clear(),
+    );
     this.planner.stop();
     this.view.deselect();
     this.view.page = 'map';
@@ -212,6 +216,7 @@ export class Station {
     void this.tours.catchUp();
     void this.runs.catchUp();
     void this.follows.catchUp();
+    void this.dispatches.catchUp();
   }
 
   #streamDown(): void {

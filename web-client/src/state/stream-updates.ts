@@ -1,10 +1,11 @@
 import type { StreamMessage } from '../api/types';
 import type { Station } from './station.svelte';
 
-type Stores = Pick<Station, 'zones' | 'virtuals' | 'tours' | 'runs' | 'follows'>;
+type Stores = Pick<Station, 'zones' | 'virtuals' | 'tours' | 'runs' | 'follows' | 'dispatches'>;
 
 /** Applies a message about zones, plans or operations to the store that holds them. */
-export function applyUpdate(message: StreamMessage, { zones, virtuals, tours, runs, follows }: Stores): void {
+export function applyUpdate(message: StreamMessage, stores: Stores): void {
+  const { zones, virtuals, tours, runs, follows, dispatches } = stores;
   switch (message.type) {
     case 'zone':
       zones.apply(message.zone);
@@ -32,6 +33,12 @@ export function applyUpdate(message: StreamMessage, { zones, virtuals, tours, ru
       break;
     case 'followNow':
       follows.applyNow(message.id, message.now);
+      break;
+    case 'dispatch':
+      dispatches.apply(message.dispatch);
+      break;
+    case 'dispatchNow':
+      dispatches.applyNow(message.id, message.now);
       break;
     default:
       break;

@@ -43,9 +43,11 @@ function undoes(event: KeyboardEvent, station: Station): boolean {
 
 /** Esc closes one thing at a time, the newest first. */
 function stepBack(station: Station): boolean {
-  const { view, planner, runs } = station;
+  const { dispatches, view, planner, runs } = station;
   if (view.helpOpen) {
     view.helpOpen = false;
+  } else if (dispatches.picking || dispatches.place !== null) {
+    dispatches.leave();
   } else if (view.target !== null) {
     view.target = null;
   } else if (view.page !== 'map') {

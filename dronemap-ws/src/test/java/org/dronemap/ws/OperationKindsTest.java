@@ -31,12 +31,17 @@ class OperationKindsTest {
                     "org.dronemap.ws.journal",
                     "org.dronemap.ws.run",
                     "org.dronemap.ws.follow",
+                    "org.dronemap.ws.dispatch",
                     "org.dronemap.core.operation");
 
     /** Where each is shown: an address of REST, an operation of SOAP, a message of the stream. */
     private static final Map<String, Shown> SHOWN = Map.of(
-            "missionRun", new Shown("GET /api/v1/runs/{id}", "getRun", "run.RunStreamTopic$RunChanged"),
-            "follow", new Shown("GET /api/v1/follows/{id}", "getFollow", "follow.FollowStreamTopics$FollowChanged"));
+            "missionRun",
+            new Shown("GET /api/v1/runs/{id}", "getRun", "run.RunStreamTopic$RunChanged"),
+            "dispatch",
+            new Shown("GET /api/v1/dispatches/{id}", "getDispatch", "dispatch.DispatchStreamTopics$DispatchChanged"),
+            "follow",
+            new Shown("GET /api/v1/follows/{id}", "getFollow", "follow.FollowStreamTopics$FollowChanged"));
 
     private static TestServer house;
 

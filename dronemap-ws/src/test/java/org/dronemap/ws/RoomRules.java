@@ -40,6 +40,7 @@ final class RoomRules {
     static final Map<String, Set<String>> ARROWS = Stream.of(
                     "command: drone mission",
                     "control: drone outlet",
+                    "dispatch: operation",
                     "drone: mission",
                     "enrol: drone organisation",
                     "fence: command drone",
@@ -50,7 +51,7 @@ final class RoomRules {
                     "log: command drone",
                     "organisation: drone key zone",
                     "parameter: command drone",
-                    "plan: command drone mission",
+                    "plan: command drone mission operation",
                     "robotkey: link organisation",
                     "run: drone operation plan zone",
                     "system: history link outlet",
@@ -58,7 +59,7 @@ final class RoomRules {
                     "virtual: drone mission",
                     "zone: drone",
                     "settings: limit user",
-                    "server: audit follow journal link outlet recording robotkey settings system")
+                    "server: audit journal link operation outlet recording robotkey settings system")
             .map(line -> line.split(": "))
             .collect(Collectors.toUnmodifiableMap(line -> line[0], line -> Set.of(line[1].split(" "))));
 

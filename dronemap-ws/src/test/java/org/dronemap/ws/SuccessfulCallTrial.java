@@ -16,6 +16,7 @@ import org.dronemap.core.parameter.ParameterType;
 import org.dronemap.ws.security.oidc.OidcSettings;
 import org.dronemap.ws.testserver.AdministrationCalls;
 import org.dronemap.ws.testserver.DescribedCalls;
+import org.dronemap.ws.testserver.DispatchCalls;
 import org.dronemap.ws.testserver.DroneCalls;
 import org.dronemap.ws.testserver.ExposedOperations;
 import org.dronemap.ws.testserver.FakeOidcProvider;
@@ -66,6 +67,7 @@ abstract class SuccessfulCallTrial {
                 new DroneCalls(house, estate, other),
                 new RunCalls(house, estate),
                 new FollowCalls(house, estate),
+                new DispatchCalls(house, estate),
                 new DescribedCalls(house, estate, other));
     }
 

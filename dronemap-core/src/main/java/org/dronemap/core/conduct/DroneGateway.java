@@ -53,6 +53,13 @@ final class DroneGateway {
         }
     }
 
+    /** Control goes over to the user of this one. */
+    void handOver(LeaseHolder.Operation by, DroneId drone) {
+        if (cloud.drone(drone).isPresent()) {
+            cloud.controls().apply(drone, new LeaseEvent.Disengage(by.id(), by.user()));
+        }
+    }
+
     /** Why this one does not have control, as a sentence; null: it has. */
     @Nullable
     String whyNotHeld(LeaseHolder.Operation by, DroneId drone) {

@@ -12,6 +12,7 @@ import java.util.function.LongSupplier;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.lease.ControlState;
 import org.dronemap.core.operation.AirspaceSnapshot;
 import org.dronemap.core.operation.OperationObservation;
 import org.dronemap.core.operation.SavedOperation;
@@ -104,10 +105,12 @@ final class ObservationBuilder {
     }
 
     private OperationObservation.ControlStatus controlStatus(SavedOperation of, OperationLeases reins, DroneId drone) {
+        ControlState control = cloud.controls().control(drone);
         return new OperationObservation.ControlStatus(
                 reins.whyNotHeld(drone),
                 rights.whyNot(of, drone).orElse(null),
-                cloud.controls().control(drone).tenure() == null,
+                control.isHeldBy(of.owner()),
+                control.tenure() == null,
                 cloud.gate().transfer(drone).orElse(null));
     }
 }

@@ -323,6 +323,8 @@ final class OperationExecution<S, I> {
                 hands.submit(give);
             } else if (action instanceof OperationAction.Compute<I> compute) {
                 compute(compute);
+            } else if (action instanceof OperationAction.HandOver<I> handOver) {
+                reins.handOver(handOver.drone());
             }
         }
         reins.retainOnly(wanted());

@@ -56,6 +56,11 @@ final class OperationLeases {
         release(others);
     }
 
+    /** To the user of the operation. */
+    void handOver(DroneId drone) {
+        crew.handOver(holder, drone);
+    }
+
     boolean isRequested(DroneId drone) {
         return wanted.contains(drone);
     }

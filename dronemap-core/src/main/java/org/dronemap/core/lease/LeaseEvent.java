@@ -38,8 +38,16 @@ public sealed interface LeaseEvent {
     /** An operation wants control, if it is free; what it has already it keeps. */
     record Engage(LeaseHolder.Operation by) implements LeaseEvent {}
 
-    /** An operation is over. */
-    record Disengage(String operation) implements LeaseEvent {}
+    /**
+     * An operation gives control up, as when it is over.
+     *
+     * @param to the user who gets it, to be kept by heartbeats from soon on; null: nobody
+     */
+    record Disengage(String operation, @Nullable String to) implements LeaseEvent {
+        public Disengage(String operation) {
+            this(operation, null);
+        }
+    }
 
     /** Somebody who goes first commands the drone: an operation that has it loses it; {@code why} is a sentence. */
     record Interrupt(String why) implements LeaseEvent {}

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class LeaseMachine {
     private static final int MOST_REQUESTS = 20;
-    /** After a restart: as long as clients take to come back. */
+    /** As long as clients take to come back after a restart, or to see that control was given to them. */
     private static final long RETURNING_NANOS = 15_000_000_000L;
 
     private final LeaseRules rules;
@@ -84,7 +84,7 @@ public final class LeaseMachine {
             return engage(control, engage.by(), now);
         }
         if (event instanceof LeaseEvent.Disengage disengage) {
-            return disengage(control, disengage.operation(), now);
+            return disengage(control, disengage, now);
         }
         if (event instanceof LeaseEvent.Interrupt interrupt) {
             return interrupt(control, interrupt.why(), now);
@@ -243,14 +243,20 @@ public final class LeaseMachine {
         return LeaseStep.granted(begin(control, operation, true, now), change(Kind.TAKEN, operation, null));
     }
 
-    private static LeaseStep disengage(ControlState control, String operation, ClockReading now) {
+    private LeaseStep disengage(ControlState control, LeaseEvent.Disengage event, ClockReading now) {
         Lease tenure = control.tenure();
-        return tenure != null
-                        && tenure.holder() instanceof LeaseHolder.Operation holder
-                        && holder.isOperation(operation)
-                ? LeaseStep.granted(
-                        freed(control.epoch(), lapse(holder.user(), now)), change(Kind.RELEASED, holder, null))
-                : LeaseStep.granted(control);
+        if (tenure == null || !tenure.holder().isOperation(event.operation())) {
+            return LeaseStep.granted(control);
+        }
+        if (event.to() != null) {
+            LeaseHolder next = new LeaseHolder.Person(event.to());
+            ClockReading later = new ClockReading(now.at(), now.nanos() + RETURNING_NANOS);
+            return LeaseStep.granted(
+                    begin(control, next, true, later), change(Kind.HANDED_OVER, tenure.holder(), next));
+        }
+        String user = tenure.holder().userName().orElseThrow();
+        return LeaseStep.granted(
+                freed(control.epoch(), lapse(user, now)), change(Kind.RELEASED, tenure.holder(), null));
     }
 
     /** With a new epoch: what the operation has sent and is not at the vehicle yet must not undo what interrupts it. */

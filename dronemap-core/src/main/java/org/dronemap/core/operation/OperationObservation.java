@@ -70,6 +70,7 @@ public record OperationObservation(
      *
      * @param whyNotHeld why the operation has not, as a sentence; null: it has
      * @param whyNotAllowed why drones are not commanded for its user any more, as a sentence, whoever has control; null: they are
+     * @param owned the user whom the operation is conducted for has control, by hand
      * @param free nobody has
      * @param transfer of a mission, with that drone, which is under way, whoever asked for it, as people call it: no other one
      *     is taken before its end; null: none is
@@ -77,6 +78,13 @@ public record OperationObservation(
     public record ControlStatus(
             @Nullable String whyNotHeld,
             @Nullable String whyNotAllowed,
+            boolean owned,
             boolean free,
-            @Nullable String transfer) {}
+            @Nullable String transfer) {
+        /** The user whom the operation is conducted for does not have control by hand. */
+        public ControlStatus(
+                @Nullable String whyNotHeld, @Nullable String whyNotAllowed, boolean free, @Nullable String transfer) {
+            this(whyNotHeld, whyNotAllowed, false, free, transfer);
+        }
+    }
 }

@@ -1,11 +1,10 @@
 package org.dronemap.ws.follow;
 
 import org.dronemap.cognitive.operation.follow.FollowState;
-import org.dronemap.core.access.AccessStore;
-import org.dronemap.core.access.GrantRegistry;
 import org.dronemap.core.conduct.Operations.Snapshot;
-import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.time.Time;
+import org.dronemap.ws.operation.DronePool;
+import org.dronemap.ws.operation.OwnerRightsCache;
 import org.dronemap.ws.stream.StreamOperation;
 import org.dronemap.ws.stream.StreamTopic;
 import org.dronemap.ws.stream.delivery.StreamEventRouter;
@@ -18,11 +17,6 @@ import org.springframework.core.annotation.Order;
 @Configuration(proxyBeanMethods = false)
 @Import({FollowController.class, FollowService.class, FollowService.OperationContext.class})
 class FollowConfiguration {
-    @Bean
-    FollowService.Warehouse followWarehouse(VirtualDrones virtuals) {
-        return virtuals::warehouse;
-    }
-
     @Bean
     PhoneReachability phoneReachability(FollowService follows) {
         return new PhoneReachability(follows::reached);
@@ -49,13 +43,8 @@ class FollowConfiguration {
 
     @Bean
     FollowReliefScheduler followReliefs(
-            FollowService.OperationContext context,
-            FollowService.Warehouse warehouse,
-            AccessStore users,
-            GrantRegistry grants,
-            Time time) {
-        FollowReliefScheduler reliefs =
-                new FollowReliefScheduler(context, warehouse, new OwnerRightsCache(users, grants, time), time);
+            FollowService.OperationContext context, DronePool warehouse, OwnerRightsCache owners, Time time) {
+        FollowReliefScheduler reliefs = new FollowReliefScheduler(context, warehouse, owners, time);
         reliefs.start();
         return reliefs;
     }

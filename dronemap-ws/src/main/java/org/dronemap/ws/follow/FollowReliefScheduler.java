@@ -10,9 +10,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
-import org.dronemap.cognitive.operation.follow.FollowEndurance;
+import org.dronemap.cognitive.operation.CopterEndurance;
 import org.dronemap.cognitive.operation.follow.FollowInput;
-import org.dronemap.cognitive.operation.follow.FollowOrder;
 import org.dronemap.cognitive.operation.follow.FollowStage;
 import org.dronemap.cognitive.operation.follow.FollowState;
 import org.dronemap.core.access.Principal;
@@ -25,12 +24,16 @@ import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Position;
 import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.operation.ChosenDrone;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.TargetReport;
 import org.dronemap.core.time.ScheduledTask;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.time.Worker;
+import org.dronemap.ws.operation.DronePool;
+import org.dronemap.ws.operation.OperationOwners;
+import org.dronemap.ws.operation.PoolDroneSelector;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -57,26 +60,19 @@ public final class FollowReliefScheduler implements AutoCloseable {
     private final Operations operations;
     private final OperationKind<FollowState, FollowInput> kind;
     private final CloudManager cloud;
-    private final FollowDroneSelector drones;
-    private final FollowService.Warehouse warehouse;
-    private final Owners owners;
+    private final PoolDroneSelector drones;
+    private final DronePool warehouse;
+    private final OperationOwners owners;
     private final Clock clock;
     private final Map<OperationId, String> troubles = new HashMap<>();
     private final Worker thread;
 
-    /** Users with what they may do now. */
-    @FunctionalInterface
-    public interface Owners {
-        /** Empty: nothing. */
-        Optional<Principal> find(String account);
-    }
-
     public FollowReliefScheduler(
-            FollowService.OperationContext conduct, FollowService.Warehouse warehouse, Owners owners, Time time) {
+            FollowService.OperationContext conduct, DronePool warehouse, OperationOwners owners, Time time) {
         this.operations = conduct.operations();
         this.kind = conduct.kind();
         this.cloud = conduct.cloud();
-        this.drones = new FollowDroneSelector(conduct.cloud());
+        this.drones = new PoolDroneSelector(conduct.cloud());
         this.warehouse = warehouse;
         this.owners = owners;
         this.clock = time.clock();
@@ -130,13 +126,10 @@ public final class FollowReliefScheduler implements AutoCloseable {
                 .orElse(state.order().near());
         Instant now = clock.instant().truncatedTo(ChronoUnit.MICROS);
         List<DroneState> candidates = candidates(owner.get(), state);
-        FollowDroneSelector.Found found = drones.find(
-                owner.get(),
-                candidates,
-                new FollowDroneSelector.Task(near, state.order().place(), LEAST_MINUTES),
-                now);
+        PoolDroneSelector.Found found = drones.find(
+                owner.get(), candidates, FollowService.task(near, state.order().place(), LEAST_MINUTES), now);
         if (found.chosen().isPresent()) {
-            FollowOrder.ChosenDrone chosen = found.chosen().get();
+            ChosenDrone chosen = found.chosen().get();
             if (left <= secondsNeeded(chosen, near, state)) {
                 submit(follow, new FollowInput.SendRelief(now, chosen));
             }
@@ -149,7 +142,7 @@ public final class FollowReliefScheduler implements AutoCloseable {
         Snapshot<FollowState> unused = operations.request(kind, follow.saved().id(), what);
     }
 
-    private static String why(List<DroneState> candidates, FollowDroneSelector.Found found) {
+    private static String why(List<DroneState> candidates, PoolDroneSelector.Found found) {
         return candidates.isEmpty() ? "No other drone of the warehouse is free." : found.why();
     }
 
@@ -165,16 +158,16 @@ public final class FollowReliefScheduler implements AutoCloseable {
         Geodetic point = position == null ? null : position.point();
         return percent == null || point == null
                 ? Double.POSITIVE_INFINITY
-                : FollowEndurance.secondsLeft(
+                : CopterEndurance.secondsLeft(
                         percent,
                         Geodesy.distanceMeters(point, state.order().chosen().home()));
     }
 
     /** The other one stands at its home, or not far from it. */
-    private static double secondsNeeded(FollowOrder.ChosenDrone chosen, Geodetic near, FollowState state) {
+    private static double secondsNeeded(ChosenDrone chosen, Geodetic near, FollowState state) {
         double meters = Geodesy.distanceMeters(chosen.home(), near);
         return LONGER
-                        * FollowEndurance.secondsToCome(
+                        * CopterEndurance.secondsToCome(
                                 meters, state.order().place().heightMeters())
                 + SPARE_SECONDS;
     }

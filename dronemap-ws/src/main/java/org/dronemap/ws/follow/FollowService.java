@@ -17,9 +17,11 @@ import org.dronemap.core.conduct.OperationListener;
 import org.dronemap.core.conduct.Operations;
 import org.dronemap.core.conduct.Operations.Snapshot;
 import org.dronemap.core.conduct.TargetReportResult;
+import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.operation.ChosenDrone;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.ReporterState;
@@ -27,36 +29,36 @@ import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.operation.TargetReport;
 import org.dronemap.core.time.Time;
 import org.dronemap.ws.access.RoleChecks;
+import org.dronemap.ws.operation.DronePool;
 import org.dronemap.ws.operation.OperationService;
+import org.dronemap.ws.operation.PoolDroneSelector;
 import org.dronemap.ws.problem.AccessProblem;
 import org.dronemap.ws.problem.NotFoundProblem;
+import org.dronemap.ws.problem.OperationProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
 
 /** Lets users open, start, pause, change and stop follows, and takes in the positions of their phones. Any thread. */
 public final class FollowService {
+    private static final Set<Capability> NEEDS =
+            Set.of(Capability.TAKE_OFF, Capability.TRACK, Capability.RETURN_TO_LAUNCH);
+
     private final Operations operations;
     private final OperationKind<FollowState, FollowInput> kind;
     private final OperationService<FollowState, FollowInput> desk;
-    private final FollowDroneSelector drones;
+    private final PoolDroneSelector drones;
     private final FollowViewMapper views;
-    private final Warehouse warehouse;
+    private final DronePool warehouse;
 
     /** Services that follows are conducted with. */
     public record OperationContext(
             Operations operations, OperationKind<FollowState, FollowInput> kind, CloudManager cloud) {}
 
-    /** The drones that may be armed with nobody beside them, as they are whenever it is asked. */
-    @FunctionalInterface
-    public interface Warehouse {
-        Set<DroneId> drones();
-    }
-
-    public FollowService(OperationContext conduct, Warehouse warehouse, Time time) {
+    public FollowService(OperationContext conduct, DronePool warehouse, Time time) {
         this.operations = conduct.operations();
         this.kind = conduct.kind();
-        this.drones = new FollowDroneSelector(conduct.cloud());
+        this.drones = new PoolDroneSelector(conduct.cloud());
         this.views = new FollowViewMapper(conduct);
         this.warehouse = warehouse;
         desk = new OperationService<>(
@@ -87,16 +89,33 @@ public final class FollowService {
         String name = FollowReader.name(request);
         Geodetic near = FollowReader.near(request);
         FollowOrder.RelativePlace place = FollowReader.place(request);
-        FollowDroneSelector.Task task = new FollowDroneSelector.Task(near, place, FollowReader.minutes(request));
+        PoolDroneSelector.Task task = task(near, place, FollowReader.minutes(request));
         double speed = FollowReader.speed(request);
         int patience = FollowReader.patience(request);
         desk.requireRoom(principal);
         Instant at = desk.now();
-        FollowOrder.ChosenDrone chosen = drones.choose(principal, candidates, task, at);
+        ChosenDrone chosen = choose(principal, candidates, task, at);
         FollowOrder order = new FollowOrder(chosen, near, place, speed, patience);
         OperationId id = desk.newId();
         FollowState state = FollowState.begin(id, order, at);
         return views.view(desk.begin(principal, id, name, state, at));
+    }
+
+    /** Among these; a conflict with why each cannot when none can. */
+    private ChosenDrone choose(
+            Principal principal, List<DroneState> candidates, PoolDroneSelector.Task task, Instant at) {
+        PoolDroneSelector.Found found = drones.find(principal, candidates, task, at);
+        return found.chosen()
+                .orElseThrow(() -> Rejection.of(
+                        OperationProblem.NO_DRONE_TO_FOLLOW,
+                        candidates.isEmpty()
+                                ? "The warehouse has no drone that you may command. Name one that you look after."
+                                : "No drone can follow now. " + found.why()));
+    }
+
+    /** Come, stay for so long, return home. */
+    static PoolDroneSelector.Task task(Geodetic near, FollowOrder.RelativePlace place, double minutes) {
+        return new PoolDroneSelector.Task(near, place.heightMeters(), minutes, NEEDS);
     }
 
     private List<DroneState> candidates(Principal principal, FollowRequest.OpenRequest request) {

@@ -1,7 +1,7 @@
 package org.dronemap.ws.follow;
 
 import java.time.temporal.ChronoUnit;
-import org.dronemap.cognitive.operation.follow.FollowEndurance;
+import org.dronemap.cognitive.operation.CopterEndurance;
 import org.dronemap.cognitive.operation.follow.FollowInput;
 import org.dronemap.cognitive.operation.follow.FollowState;
 import org.dronemap.core.cloud.CloudManager;
@@ -59,7 +59,7 @@ final class FollowViewMapper {
                 percent,
                 percent == null || point == null
                         ? null
-                        : (int) FollowEndurance.secondsLeft(percent, Geodesy.distanceMeters(point, home)),
+                        : (int) CopterEndurance.secondsLeft(percent, Geodesy.distanceMeters(point, home)),
                 phone == null ? null : phone(phone),
                 reach);
     }

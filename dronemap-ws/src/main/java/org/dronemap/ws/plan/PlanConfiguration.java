@@ -7,7 +7,7 @@ import org.springframework.context.annotation.Import;
 
 /** Spring configuration of the handlers and services for plans of several drones. */
 @Configuration(proxyBeanMethods = false)
-@Import({PlanController.class, TourController.class, PlanService.class, TourService.class})
+@Import({PlanController.class, TourController.class, PlanService.class, PoolPlanDrones.class, TourService.class})
 class PlanConfiguration {
     @Bean
     PlanJobExecutor planJobExecutor(Time time) {

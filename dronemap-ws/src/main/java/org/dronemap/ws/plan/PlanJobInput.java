@@ -12,14 +12,31 @@ import org.dronemap.cognitive.problem.Task;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Input of a planning job: the problem, the drones as they were when it was requested, search time and seed.
  *
  * @param drones those of the problem, as they were when it was asked for
  * @param search for how long
+ * @param ofPool the request that it came from, where the cloud chose the drones of the pool; null: they were named
  */
-public record PlanJobInput(PlanningProblem problem, List<DroneState> drones, Duration search, long seed) {
+public record PlanJobInput(
+        PlanningProblem problem,
+        List<DroneState> drones,
+        Duration search,
+        long seed,
+        @Nullable PlanRequest ofPool) {
+    /** For drones that were named. */
+    public PlanJobInput(PlanningProblem problem, List<DroneState> drones, Duration search, long seed) {
+        this(problem, drones, search, seed, null);
+    }
+
+    /** So many drones of the pool fly it at most; null: they were named. */
+    public @Nullable Integer upTo() {
+        return ofPool == null ? null : ofPool.upTo();
+    }
+
     public PlanJobInput {
         drones = List.copyOf(drones);
     }

@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import org.dronemap.cognitive.problem.Barrier;
 import org.dronemap.cognitive.problem.Craft;
@@ -16,12 +17,15 @@ import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.separation.Separation;
 import org.dronemap.core.virtual.DroneSelection;
 import org.dronemap.core.zone.ZoneRegistry;
 import org.dronemap.ws.drone.DroneService;
 import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.OperationProblem;
 import org.dronemap.ws.problem.ProblemParameter;
+import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.reading.FieldRanges;
 import org.jspecify.annotations.Nullable;
@@ -45,11 +49,13 @@ final class PlanReader {
             new PlanningRules(Separation.USUAL.aimedFor(), 1 - DroneSelection.WORST_LOSS_PERCENT / 100.0, 3, 5);
 
     private final DroneService drones;
+    private final PoolPlanDrones pool;
     private final ZoneRegistry zones;
     private final Clock clock;
 
-    PlanReader(DroneService drones, ZoneRegistry zones, Clock clock) {
+    PlanReader(DroneService drones, PoolPlanDrones pool, ZoneRegistry zones, Clock clock) {
         this.drones = drones;
+        this.pool = pool;
         this.zones = zones;
         this.clock = clock;
     }
@@ -59,20 +65,58 @@ final class PlanReader {
         PlanObjectiveRequest asked = request.objective();
         Objective objective = asked == null ? Objective.earliestEnd() : asked.read("objective.");
         UniformWind wind = wind(request.wind());
-        List<DroneState> states = states(principal, request.drones());
+        List<DroneState> states = states(principal, request);
         List<Craft> crafts = states.stream().map(PlanDroneFactory::of).toList();
         List<Waypoint> waypoints = new PlanWaypointReader(crafts).read(request.waypoints());
         List<Barrier> barriers = PlanBarriers.of(principal.name(), zones, waypoints, crafts, clock.instant());
         try {
             PlanningProblem problem = new PlanningProblem(waypoints, crafts, barriers, wind, objective, RULES);
             Long seed = request.seed();
-            return new PlanJobInput(problem, states, search, seed == null ? 1 : seed);
+            return new PlanJobInput(
+                    problem, states, search, seed == null ? 1 : seed, request.upTo() == null ? null : request);
         } catch (IllegalArgumentException tooMuch) {
             throw InvalidInput.unplannable(tooMuch);
         }
     }
 
-    private List<DroneState> states(Principal principal, @Nullable List<@Nullable String> asked) {
+    private List<DroneState> states(Principal principal, PlanRequest request) {
+        Integer upTo = request.upTo();
+        if (upTo == null) {
+            return named(principal, request.drones());
+        }
+        if (request.drones() != null) {
+            throw new InvalidInput(
+                    ValueProblem.VALUE_NOT_ALLOWED,
+                    "upTo",
+                    "either drones or upTo",
+                    "A plan is either for drones that are named (drones) or for some of the pool (upTo), not for both.");
+        }
+        int most = (int) FieldRanges.checked("upTo", (double) upTo, 1, MOST_DRONES, "drones");
+        PoolPlanDrones.Found found = pool.find(principal, most, places(request), Set.of());
+        if (found.chosen().isEmpty()) {
+            throw Rejection.of(
+                    OperationProblem.NO_DRONE_TO_PLAN, "No drone of the pool can be planned with now. " + found.why());
+        }
+        return found.chosen();
+    }
+
+    /** As far as they can be read: what is wrong with them is said by who reads them all. */
+    private static List<Geodetic> places(PlanRequest request) {
+        List<Geodetic> places = new ArrayList<>();
+        for (PlanRequest.WaypointRequest one :
+                Objects.requireNonNullElse(request.waypoints(), List.<PlanRequest.@Nullable WaypointRequest>of())) {
+            if (one != null
+                    && one.latitude() != null
+                    && one.longitude() != null
+                    && Math.abs(one.latitude()) <= FieldRanges.LATITUDE
+                    && Math.abs(one.longitude()) <= FieldRanges.LONGITUDE) {
+                places.add(new Geodetic(one.latitude(), one.longitude()));
+            }
+        }
+        return places;
+    }
+
+    private List<DroneState> named(Principal principal, @Nullable List<@Nullable String> asked) {
         if (asked == null || asked.isEmpty()) {
             throw InvalidInput.missing("drones", DRONES_FORM);
         }

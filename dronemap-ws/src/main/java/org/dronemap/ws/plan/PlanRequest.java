@@ -20,12 +20,19 @@ public record PlanRequest(
         @Nullable
         List<@Nullable WaypointRequest> waypoints,
 
-        @Schema(
-                description = "Ids of 1 to 100 drones that are on the ground",
-                requiredMode = Schema.RequiredMode.REQUIRED)
+        @Schema(description = "Ids of 1 to 100 drones that are on the ground; left out with upTo")
         @Size(min = 1, max = PlanReader.MOST_DRONES)
         @Nullable
         List<@Nullable String> drones,
+
+        @Schema(
+                description =
+                        "1 to 100: the cloud chooses up to so many drones of the pool that you may command, those that"
+                                + " are free and nearest to the waypoints; left out with drones")
+        @Min(1)
+        @Max(PlanReader.MOST_DRONES)
+        @Nullable
+        Integer upTo,
 
         @Schema(description = "What the plan is to be good at; left out: all done as early as can be") @Nullable
         PlanObjectiveRequest objective,

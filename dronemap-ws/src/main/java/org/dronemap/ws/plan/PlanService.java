@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.random.RandomGenerator;
+import org.dronemap.cognitive.allocate.SearchBudget;
+import org.dronemap.cognitive.engine.FleetPlanner;
 import org.dronemap.cognitive.engine.PlanResult;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.core.access.Principal;
@@ -40,7 +42,10 @@ public final class PlanService {
     /** A drone that was moved farther no longer stands where its tour begins. */
     private static final double MOST_MOVED_METERS = 15;
 
+    private static final Duration LONGEST_AT_START = Duration.ofSeconds(2);
+
     private final PlanJobExecutor desk;
+    private final PoolPlanDrones pool;
     private final PlanReader reader;
     private final DroneService drones;
     private final CommandService commands;
@@ -52,11 +57,13 @@ public final class PlanService {
             PlanJobExecutor desk,
             DroneService drones,
             CommandService commands,
+            PoolPlanDrones pool,
             ZoneRegistry zones,
             TakeOffClearance clearance,
             Time time) {
         this.desk = desk;
-        this.reader = new PlanReader(drones, zones, time.clock());
+        this.pool = pool;
+        this.reader = new PlanReader(drones, pool, zones, time.clock());
         this.drones = drones;
         this.commands = commands;
         this.clearance = clearance;
@@ -137,12 +144,48 @@ public final class PlanService {
     /** For who flies it from now on; refused as if it were started. */
     public Flyable flyable(Principal principal, String id) {
         PlanJob job = find(principal, id);
+        PlanRequest ofPool = job.order().ofPool();
+        if (ofPool != null && !isFlyableNow(principal, job)) {
+            return replanned(principal, ofPool);
+        }
         acceptable(principal, job, true);
         PlanResult planned = job.status().result();
         if (planned == null || job.status().busy()) {
             throw Rejection.of(OperationProblem.PLAN_UNDER_WAY, "Its missions are on their way to the drones already.");
         }
         return new Flyable(job.order(), planned);
+    }
+
+    /** All drones that it needs are free still, and where they were. */
+    private boolean isFlyableNow(Principal principal, PlanJob job) {
+        try {
+            return acceptable(principal, job, true).stream().allMatch(tour -> pool.isFree(tour.drone()));
+        } catch (Rejection changed) {
+            if (changed.code() == OperationProblem.PLAN_NOT_FINISHED
+                    || changed.code() == OperationProblem.PLAN_WITHOUT_RESULT) {
+                throw changed;
+            }
+            return false;
+        }
+    }
+
+    /** Others of the pool stand in for those that are not free any more; a short search, since somebody waits. */
+    private Flyable replanned(Principal principal, PlanRequest request) {
+        PlanJobInput order = reader.read(principal, request);
+        Duration search = order.search().compareTo(LONGEST_AT_START) < 0 ? order.search() : LONGEST_AT_START;
+        PlanResult planned = FleetPlanner.plan(
+                order.problem(),
+                order.seed(),
+                SearchBudget.time(search, desk.time().effort()),
+                better -> {});
+        List<String> faults = order.faults(planned);
+        if (!faults.isEmpty() || planned.plan().tours().isEmpty()) {
+            throw Rejection.of(
+                    OperationProblem.PLAN_OUTDATED_POOL,
+                    "Not all drones of the plan are free any more, and others of the pool cannot fly it. "
+                            + String.join(" ", faults));
+        }
+        return new Flyable(order, planned);
     }
 
     /** Whoever of the plan has not been started yet will not be; who flies, flies on. */

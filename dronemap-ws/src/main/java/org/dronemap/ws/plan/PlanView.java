@@ -21,6 +21,9 @@ public record PlanView(
         long seed,
         List<DroneName> drones,
 
+        @Schema(description = "The cloud chose up to so many drones of the pool; null: they were named") @Nullable
+        Integer upTo,
+
         @Schema(description = "How many waypoints there are to visit")
         int waypoints,
 

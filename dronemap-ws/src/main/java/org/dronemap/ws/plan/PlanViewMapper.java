@@ -59,6 +59,7 @@ public final class PlanViewMapper {
                 order.drones().stream()
                         .map(drone -> new PlanView.DroneName(drone.id().value(), drone.name()))
                         .toList(),
+                order.upTo(),
                 order.problem().waypoints().size(),
                 steps.isEmpty() ? null : steps.get(steps.size() - 1),
                 whole ? steps : null,

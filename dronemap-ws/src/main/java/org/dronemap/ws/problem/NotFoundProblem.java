@@ -10,6 +10,7 @@ public enum NotFoundProblem implements ProblemCode {
     MISSION_RUN("mission-run-unknown", "mission run"),
     WAYPOINT("waypoint-unknown", "waypoint"),
     FOLLOW("follow-unknown", "follow"),
+    DISPATCH("dispatch-unknown", "dispatch"),
     VIRTUAL_DRONE("virtual-drone-unknown", "virtual drone"),
     FLIGHT("flight-unknown", "flight"),
     RECORDING("recording-unknown", "recording"),

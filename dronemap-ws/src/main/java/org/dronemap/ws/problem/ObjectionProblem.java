@@ -2,6 +2,7 @@ package org.dronemap.ws.problem;
 
 import java.util.List;
 import java.util.stream.Stream;
+import org.dronemap.cognitive.operation.dispatch.DispatchObjection;
 import org.dronemap.cognitive.operation.follow.FollowObjection;
 import org.dronemap.cognitive.operation.run.model.RunObjection;
 import org.dronemap.core.operation.Objection;
@@ -10,13 +11,14 @@ import org.dronemap.core.operation.ObjectionEntry;
 import org.dronemap.core.operation.OperationObjection;
 import org.dronemap.core.virtual.VirtualDroneObjection;
 
-/** Problem code of why a mission run, a follow or a virtual drone does not do what a user asked of it. */
+/** Problem code of why a mission run, a follow, a dispatch or a virtual drone does not do what a user asked of it. */
 public record ObjectionProblem(ObjectionCode code) implements ProblemCode {
     static List<ObjectionProblem> values() {
         return Stream.<ObjectionCode[]>of(
                         OperationObjection.values(),
                         RunObjection.values(),
                         FollowObjection.values(),
+                        DispatchObjection.values(),
                         VirtualDroneObjection.values())
                 .flatMap(Stream::of)
                 .map(ObjectionProblem::new)

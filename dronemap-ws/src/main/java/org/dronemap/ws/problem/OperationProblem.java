@@ -1,6 +1,6 @@
 package org.dronemap.ws.problem;
 
-/** Problem codes of plans that cannot be accepted, changed or flown now, and of follows for which there is no drone. */
+/** Problem codes of plans that cannot be accepted, changed or flown now, and of follows and dispatches for which there is no drone. */
 public enum OperationProblem implements ProblemCode {
     PLAN_NOT_FINISHED(ProblemCatalogueEntry.of(
             "plan-not-finished",
@@ -28,6 +28,11 @@ public enum OperationProblem implements ProblemCode {
                     "A drone, or its home, is no longer where it was planned for.",
                     "“Kestrel”, or its home, is no longer where it was when this was planned; plan again.")
             .with(ProblemParameter.DRONE)),
+    PLAN_OUTDATED_POOL(ProblemCatalogueEntry.of(
+            "plan-without-pool",
+            RejectionKind.CONFLICT,
+            "Not all drones of the pool that the plan is for are free any more, and others cannot fly it.",
+            "Not all drones of the plan are free any more, and others of the pool cannot fly it.")),
     PLAN_UNDER_WAY(ProblemCatalogueEntry.of(
             "plan-under-way",
             RejectionKind.CONFLICT,
@@ -62,7 +67,17 @@ public enum OperationProblem implements ProblemCode {
             "no-drone-to-follow",
             RejectionKind.CONFLICT,
             "No drone that the asker may command can follow now.",
-            "The warehouse has no drone that you may command. Name one that you look after."));
+            "The warehouse has no drone that you may command. Name one that you look after.")),
+    NO_DRONE_TO_PLAN(ProblemCatalogueEntry.of(
+            "no-drone-to-plan",
+            RejectionKind.CONFLICT,
+            "No drone of the pool that the asker may command can be planned with now.",
+            "No drone of the pool can be planned with now. The pool has no other drone for you.")),
+    NO_DRONE_TO_SEND(ProblemCatalogueEntry.of(
+            "no-drone-to-send",
+            RejectionKind.CONFLICT,
+            "No drone of the pool that the asker may command can come now.",
+            "The pool has no drone that you may command."));
 
     @SuppressWarnings("ImmutableEnumChecker") // its lists never change
     private final ProblemCatalogueEntry entry;

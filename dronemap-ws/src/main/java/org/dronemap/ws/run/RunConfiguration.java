@@ -3,6 +3,8 @@ package org.dronemap.ws.run;
 import org.dronemap.cognitive.operation.run.RunState;
 import org.dronemap.core.conduct.Operations.Snapshot;
 import org.dronemap.core.time.Time;
+import org.dronemap.ws.operation.OwnerRightsCache;
+import org.dronemap.ws.plan.PoolPlanDrones;
 import org.dronemap.ws.schedule.PeriodicTask;
 import org.dronemap.ws.stream.StreamTopic;
 import org.springframework.context.annotation.Bean;
@@ -23,5 +25,11 @@ class RunConfiguration {
     @Bean
     PeriodicTask runZoneRounds(RunService.OperationContext context, Time time) {
         return RunZoneSynchronizer.start(context, time);
+    }
+
+    @Bean
+    PeriodicTask runPoolRounds(
+            RunService.OperationContext context, PoolPlanDrones pool, OwnerRightsCache owners, Time time) {
+        return RunPoolScheduler.start(context, pool, owners, time);
     }
 }

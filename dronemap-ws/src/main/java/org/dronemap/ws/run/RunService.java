@@ -115,7 +115,8 @@ public final class RunService {
                 RunReader.onCloudLoss(request.onCloudLoss()),
                 plan.order().seed(),
                 search,
-                at);
+                at,
+                plan.order().upTo());
         RunState state = RunState.begin(order);
         return RunViewMapper.view(desk.begin(principal, id, name, state, at));
     }

@@ -35,6 +35,10 @@ public record RunView(
 
         @Schema(allowableValues = {"continue", "rtl"}) String onCloudLoss,
 
+        @Schema(description = "Up to so many drones of the pool fly it, chosen by the cloud; null: they were named")
+        @Nullable
+        Integer upTo,
+
         CountsView counts,
         List<DroneView> drones,
         List<WaypointView> waypoints,

@@ -8,6 +8,7 @@ import org.dronemap.cognitive.operation.run.RunState;
 import org.dronemap.cognitive.operation.run.model.ReplanProposal;
 import org.dronemap.cognitive.operation.run.model.RunDrone;
 import org.dronemap.cognitive.operation.run.model.RunExplanation;
+import org.dronemap.cognitive.operation.run.model.RunPool;
 import org.dronemap.cognitive.operation.run.model.RunWaypoint;
 import org.dronemap.cognitive.problem.Place;
 import org.dronemap.cognitive.replan.PlanFigures;
@@ -39,6 +40,7 @@ final class RunViewMapper {
                 run.setAside() == null ? state.end() : run.setAside(),
                 WireNames.camel(state.setting().mode()),
                 state.setting().onCloudLoss() == MissionCloudLossPolicy.CONTINUE ? "continue" : "rtl",
+                upTo(state),
                 counts(state),
                 state.drones().stream().map(drone -> drone(state, drone)).toList(),
                 state.targets().stream().map(target -> waypoint(state, target)).toList(),
@@ -48,6 +50,11 @@ final class RunViewMapper {
                 proposal == null ? null : proposal(proposal),
                 state.explanations().stream().map(RunViewMapper::explanation).toList(),
                 saved.last());
+    }
+
+    private static @Nullable Integer upTo(RunState state) {
+        RunPool pool = state.setting().pool();
+        return pool == null ? null : (Integer) pool.upTo();
     }
 
     private static String stateWord(Snapshot<RunState> run) {

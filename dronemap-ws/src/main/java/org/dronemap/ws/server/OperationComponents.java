@@ -1,6 +1,9 @@
 package org.dronemap.ws.server;
 
 import java.util.List;
+import org.dronemap.cognitive.operation.dispatch.DispatchInput;
+import org.dronemap.cognitive.operation.dispatch.DispatchOperation;
+import org.dronemap.cognitive.operation.dispatch.DispatchState;
 import org.dronemap.cognitive.operation.follow.FollowInput;
 import org.dronemap.cognitive.operation.follow.FollowOperation;
 import org.dronemap.cognitive.operation.follow.FollowState;
@@ -16,11 +19,13 @@ import org.dronemap.core.operation.OperationStore;
 import org.dronemap.core.separation.Separation;
 import org.dronemap.core.separation.SeparationBoard;
 import org.dronemap.core.time.Time;
+import org.dronemap.ws.journal.DispatchJournalCodec;
 import org.dronemap.ws.journal.FollowJournalCodec;
 import org.dronemap.ws.journal.RunJournalCodec;
 
 /**
- * The components that conduct operations, with the two kinds there are: mission runs and follows.
+ * The components that conduct operations, with the three kinds there are: mission runs, follows and
+ * dispatches.
  *
  * @param board where all operations say what they mean to do, and see to whom their drones give way
  */
@@ -28,12 +33,16 @@ public record OperationComponents(
         Operations operations,
         OperationKind<RunState, RunInput> kind,
         OperationKind<FollowState, FollowInput> follows,
+        OperationKind<DispatchState, DispatchInput> dispatches,
         SeparationBoard board) {
     /** Stored with each mission run. */
     private static final String MISSION_RUN = "missionRun";
 
     /** Stored with each follow. */
     private static final String FOLLOW = "follow";
+
+    /** Stored with each dispatch. */
+    private static final String DISPATCH = "dispatch";
 
     /** Begun before anybody conducts anything: who gives way to whom is known before drones are judged by it. */
     static SeparationConductor separation(
@@ -55,7 +64,13 @@ public record OperationComponents(
                 new OperationKind<>(MISSION_RUN, new MissionRunOperation(), new RunJournalCodec());
         OperationKind<FollowState, FollowInput> follows =
                 new OperationKind<>(FOLLOW, new FollowOperation(apart), new FollowJournalCodec());
+        OperationKind<DispatchState, DispatchInput> dispatches =
+                new OperationKind<>(DISPATCH, new DispatchOperation(), new DispatchJournalCodec());
         return new OperationComponents(
-                new Operations(cloud, store, rights, board, time, List.of(kind, follows)), kind, follows, board);
+                new Operations(cloud, store, rights, board, time, List.of(kind, follows, dispatches)),
+                kind,
+                follows,
+                dispatches,
+                board);
     }
 }

@@ -5,6 +5,8 @@ import java.lang.annotation.Retention;
 import java.lang.annotation.RetentionPolicy;
 import java.lang.annotation.Target;
 import java.time.Clock;
+import org.dronemap.cognitive.operation.dispatch.DispatchInput;
+import org.dronemap.cognitive.operation.dispatch.DispatchState;
 import org.dronemap.cognitive.operation.follow.FollowInput;
 import org.dronemap.cognitive.operation.follow.FollowState;
 import org.dronemap.cognitive.operation.run.RunState;
@@ -186,6 +188,11 @@ class ServerComponentsConfiguration {
     @Part
     OperationKind<FollowState, FollowInput> followKind(ServerComponents server) {
         return server.runs().follows();
+    }
+
+    @Part
+    OperationKind<DispatchState, DispatchInput> dispatchKind(ServerComponents server) {
+        return server.runs().dispatches();
     }
 
     @Part

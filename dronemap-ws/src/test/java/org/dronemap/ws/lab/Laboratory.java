@@ -370,7 +370,7 @@ public final class Laboratory implements AutoCloseable {
 
     /** SHA-256 of all frames, commands' outcomes and journals of this flight; the last that it can be asked. */
     public String sum() {
-        for (String kind : List.of("missionRun", "follow")) {
+        for (String kind : List.of("missionRun", "follow", "dispatch")) {
             for (SavedOperation operation : stores.operations().latest(OrganisationId.HOME, kind, MOST_OPERATIONS)) {
                 record.note(operation.toString());
                 stores.operations()

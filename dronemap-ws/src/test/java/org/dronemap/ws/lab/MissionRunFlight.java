@@ -88,11 +88,36 @@ public final class MissionRunFlight {
         PlanRequest request = new PlanRequest(
                 waypoints.stream().toList(),
                 drones.stream().map(drone -> drone.id().value()).toList(),
+                null,
                 new PlanObjectiveRequest.EarliestEnd(true),
                 PLAN_SECONDS,
                 null,
                 null);
         return lab.server().plans().ask(pilot.principal(), request);
+    }
+
+    /** By up to so many drones of the pool; {@code drones}: all that may come to fly it. */
+    public static MissionRunFlight beginsWithPool(
+            Laboratory lab, Pilot pilot, List<LabDrone> drones, int upTo, List<PlanRequest.WaypointRequest> waypoints) {
+        return begins(lab, pilot, drones, plannedForPool(lab, pilot, upTo, waypoints), Manner.ON);
+    }
+
+    /** Begins what was planned. */
+    public static MissionRunFlight begins(Laboratory lab, Pilot pilot, List<LabDrone> drones, PlanView plan) {
+        return begins(lab, pilot, drones, plan, Manner.ON);
+    }
+
+    public static PlanView plannedForPool(
+            Laboratory lab, Pilot pilot, int upTo, List<PlanRequest.WaypointRequest> waypoints) {
+        PlanRequest request = new PlanRequest(
+                waypoints.stream().toList(),
+                null,
+                upTo,
+                new PlanObjectiveRequest.EarliestEnd(false),
+                PLAN_SECONDS,
+                null,
+                null);
+        return finished(lab, pilot, lab.server().plans().ask(pilot.principal(), request));
     }
 
     private static PlanView finished(Laboratory lab, Pilot pilot, PlanView asked) {

@@ -100,8 +100,9 @@ public final class TestTenant implements AutoCloseable {
         if (!copters.isEmpty()) {
             TestHttpClient supervisor = http(Role.SUPERVISOR);
             for (String kind : List.of("runs", "follows", "virtual-drones")) {
-                stop(supervisor, "/api/v1/" + kind);
+                end(supervisor, "/api/v1/" + kind, "stop");
             }
+            end(supervisor, "/api/v1/dispatches", "cancel");
             copters.forEach(ImmediateCopter::isOnGround);
         }
         for (ScriptedVehicle vehicle : vehicles) {
@@ -110,7 +111,7 @@ public final class TestTenant implements AutoCloseable {
         }
     }
 
-    private static void stop(TestHttpClient supervisor, String path) {
+    private static void end(TestHttpClient supervisor, String path, String how) {
         // The one member of each list is named after what it lists.
         supervisor
                 .get(path)
@@ -118,7 +119,7 @@ public final class TestTenant implements AutoCloseable {
                 .valueStream()
                 .forEach(list -> list.forEach(one -> {
                     String id = one.path("id").asString("");
-                    supervisor.post(path + "/" + id + "/stop", "");
+                    supervisor.post(path + "/" + id + "/" + how, "");
                 }));
     }
 }

@@ -21,20 +21,24 @@ import org.dronemap.ws.budget.Budgets;
 import org.dronemap.ws.command.BroadcastService;
 import org.dronemap.ws.command.CommandService;
 import org.dronemap.ws.control.SteeringService;
+import org.dronemap.ws.dispatch.DispatchScheduler;
+import org.dronemap.ws.dispatch.DispatchService;
 import org.dronemap.ws.drone.DronePlaceNames;
 import org.dronemap.ws.drone.DroneService;
 import org.dronemap.ws.drone.DroneViewMapper;
 import org.dronemap.ws.fence.FenceService;
 import org.dronemap.ws.follow.FollowReliefScheduler;
 import org.dronemap.ws.follow.FollowService;
-import org.dronemap.ws.follow.OwnerRightsCache;
 import org.dronemap.ws.limit.ClientLimits;
 import org.dronemap.ws.log.OnboardLogArchive;
 import org.dronemap.ws.log.OnboardLogService;
+import org.dronemap.ws.operation.OwnerRightsCache;
 import org.dronemap.ws.parameter.ParameterService;
 import org.dronemap.ws.plan.PlanJobExecutor;
 import org.dronemap.ws.plan.PlanService;
+import org.dronemap.ws.plan.PoolPlanDrones;
 import org.dronemap.ws.run.RunJournalService;
+import org.dronemap.ws.run.RunPoolScheduler;
 import org.dronemap.ws.run.RunService;
 import org.dronemap.ws.run.RunZoneSynchronizer;
 import org.dronemap.ws.server.OperationComponents;
@@ -67,6 +71,7 @@ public final class SteppedServer implements AutoCloseable {
     private final PlanService plans;
     private final RunService runs;
     private final FollowService follows;
+    private final DispatchService dispatches;
     private final ZoneService zones;
     private final VirtualDroneService virtuals;
     private final WarehouseService warehouse;
@@ -101,17 +106,17 @@ public final class SteppedServer implements AutoCloseable {
                 new ZoneService.Stores(house.zones(), cloud.zones(), house.access()), drones, time.clock());
         PlanJobExecutor jobs = new PlanJobExecutor(PlanJobExecutor.Limits.of(time.parallelism()), time);
         closing.add("the plans", jobs);
+        PoolPlanDrones pool = new PoolPlanDrones(cloud, house.virtuals()::warehouse);
         OperationComponents operations = house.runs();
         TakeOffClearance clearance = new TakeOffClearance(operations.board(), time);
-        plans = new PlanService(jobs, drones, commands, cloud.zones(), clearance, time);
+        plans = new PlanService(jobs, drones, commands, pool, cloud.zones(), clearance, time);
         RunService.OperationContext running =
                 new RunService.OperationContext(operations.operations(), operations.kind(), cloud);
         runs = new RunService(running, plans, drones, time);
         closing.add("the zones of runs", RunZoneSynchronizer.start(running, time));
-        FollowService.OperationContext following =
-                new FollowService.OperationContext(operations.operations(), operations.follows(), cloud);
-        follows = new FollowService(following, house.virtuals()::warehouse, time);
-        closing.add("the reliefs of follows", reliefs(following, time));
+        joinOthers(running, pool, time);
+        follows = follows(operations, cloud, time);
+        dispatches = dispatches(operations, cloud, time);
         VirtualDroneViewMapper views = new VirtualDroneViewMapper(cloud, house.virtuals());
         virtuals = new VirtualDroneService(house.virtuals(), views, time);
         warehouse = new WarehouseService(house.virtuals(), drones);
@@ -131,6 +136,28 @@ public final class SteppedServer implements AutoCloseable {
     private static DroneViewMapper views(CloudManager cloud) {
         return new DroneViewMapper(
                 new DronePlaceNames(point -> null), cloud.controls(), cloud::sensed, cloud::cloudLoss);
+    }
+
+    private void joinOthers(RunService.OperationContext context, PoolPlanDrones pool, Time time) {
+        OwnerRightsCache owners = new OwnerRightsCache(house.access(), house.grantBook(), time);
+        closing.add("the pool of runs", RunPoolScheduler.start(context, pool, owners, time));
+    }
+
+    private FollowService follows(OperationComponents operations, CloudManager cloud, Time time) {
+        FollowService.OperationContext context =
+                new FollowService.OperationContext(operations.operations(), operations.follows(), cloud);
+        closing.add("the reliefs of follows", reliefs(context, time));
+        return new FollowService(context, house.virtuals()::warehouse, time);
+    }
+
+    private DispatchService dispatches(OperationComponents operations, CloudManager cloud, Time time) {
+        DispatchService.OperationContext context =
+                new DispatchService.OperationContext(operations.operations(), operations.dispatches(), cloud);
+        OwnerRightsCache rights = new OwnerRightsCache(house.access(), house.grantBook(), time);
+        DispatchScheduler scheduler = new DispatchScheduler(context, house.virtuals()::warehouse, rights, time);
+        scheduler.start();
+        closing.add("the drones that are sent", scheduler);
+        return new DispatchService(context, house.virtuals()::warehouse, time);
     }
 
     private FollowReliefScheduler reliefs(FollowService.OperationContext context, Time time) {
@@ -219,6 +246,10 @@ public final class SteppedServer implements AutoCloseable {
 
     public FollowService follows() {
         return follows;
+    }
+
+    public DispatchService dispatches() {
+        return dispatches;
     }
 
     public ZoneService zones() {

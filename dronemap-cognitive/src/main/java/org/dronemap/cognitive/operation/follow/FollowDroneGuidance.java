@@ -23,6 +23,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.geo.LocalPlane;
 import org.dronemap.core.geo.PlanePoint;
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.operation.ChosenDrone;
 import org.dronemap.core.operation.OperationObservation;
 import org.dronemap.core.separation.DroneFix;
 import org.dronemap.core.separation.Separation;
@@ -92,7 +93,7 @@ final class FollowDroneGuidance {
     Optional<Setpoint> returnSetpoint(FollowState state, OperationObservation scene, List<DroneState> aloft) {
         DroneState drone = droneState(state, scene);
         DroneFix here = drone == null ? null : pursuits.of(drone);
-        FollowOrder.ChosenDrone chosen = state.order().chosen();
+        ChosenDrone chosen = state.order().chosen();
         if (drone == null || here == null || !isSteeredHome(state, drone, here, scene.now())) {
             homeward = null;
             return Optional.empty();

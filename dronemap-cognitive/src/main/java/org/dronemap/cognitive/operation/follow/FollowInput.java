@@ -5,6 +5,7 @@ import java.util.List;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.operation.ChosenDrone;
 import org.dronemap.core.operation.ReporterState;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
@@ -171,7 +172,7 @@ public sealed interface FollowInput {
 
     /** That drone is sent to replace the one that leads. */
     @Stored(as = "Relieve", names = "at chosen")
-    record SendRelief(Instant at, FollowOrder.ChosenDrone chosen) implements FollowInput {}
+    record SendRelief(Instant at, ChosenDrone chosen) implements FollowInput {}
 
     /** No drone can be sent for that; {@code why} as one or more sentences. */
     @Stored(as = "Unrelieved", names = "at why")

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.dronemap.cognitive.operation.CopterEndurance;
 import org.dronemap.cognitive.operation.follow.FollowInput.Observation;
 import org.dronemap.cognitive.operation.follow.FollowInput.Observed;
 import org.dronemap.core.command.CommandId;
@@ -273,15 +274,15 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
                     : state.to(FollowStage.OVER, at, name + " has landed" + FollowCommands.IT_IS_OVER);
         }
         Integer percent = look.batteryPercent();
-        double back = look.homeMeters() == null ? 0 : FollowEndurance.percentBack(look.homeMeters());
-        if (percent != null && percent < FollowEndurance.RESERVE_PERCENT + back) {
+        double back = look.homeMeters() == null ? 0 : CopterEndurance.percentBack(look.homeMeters());
+        if (percent != null && percent < CopterEndurance.RESERVE_PERCENT + back) {
             String words = String.format(
                     Locale.ROOT,
                     "%s flies home: its battery has %d %%, the way takes some %.0f %%, and %d %% are kept.",
                     name,
                     percent,
                     back,
-                    FollowEndurance.RESERVE_PERCENT);
+                    CopterEndurance.RESERVE_PERCENT);
             return ReliefHandover.markVacancy(state, state.to(FollowStage.RETURNING, at, words), true);
         }
         if (look.fallingLink() != null) {

@@ -1,8 +1,8 @@
 package org.dronemap.cognitive.operation.follow;
 
 import org.dronemap.cognitive.follow.StandOffSide;
-import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.operation.ChosenDrone;
 import org.dronemap.core.stored.Stored;
 
 /**
@@ -17,16 +17,6 @@ public record FollowOrder(ChosenDrone chosen, Geodetic near, RelativePlace place
     public static final double LOWEST_METERS = 5;
 
     public static final double HIGHEST_METERS = 120;
-
-    /**
-     * The drone.
-     *
-     * @param name as people call it
-     * @param home where it flies back to
-     * @param why it was chosen, as one or more sentences
-     */
-    @Stored(names = "drone name home homeAmslMeters why")
-    public record ChosenDrone(DroneId drone, String name, Geodetic home, double homeAmslMeters, String why) {}
 
     /**
      * The place of the drone relative to the phone.

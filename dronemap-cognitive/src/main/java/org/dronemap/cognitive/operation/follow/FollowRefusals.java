@@ -1,6 +1,7 @@
 package org.dronemap.cognitive.operation.follow;
 
 import java.util.Optional;
+import org.dronemap.core.operation.ChosenDrone;
 import org.dronemap.core.operation.Objection;
 
 /** Decides whether a user's request to a follow is refused at its present stage, and for which reason. */
@@ -39,7 +40,7 @@ final class FollowRefusals {
         return input instanceof FollowInput.ChangePlace && stage == FollowStage.RETURNING ? home() : Optional.empty();
     }
 
-    private static Optional<Objection> relieve(FollowState state, FollowOrder.ChosenDrone chosen) {
+    private static Optional<Objection> relieve(FollowState state, ChosenDrone chosen) {
         boolean known = state.drone().equals(chosen.drone())
                 || state.reliefOrNone().others().stream()
                         .anyMatch(other -> other.drone().equals(chosen.drone()));

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.operation.ChosenDrone;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
@@ -81,7 +82,7 @@ public record FollowState(
     }
 
     /** One that comes to replace the drone of this follow. */
-    FollowState relief(FollowOrder.ChosenDrone chosen, Instant at) {
+    FollowState relief(ChosenDrone chosen, Instant at) {
         return new FollowState(
                 id,
                 order.by(chosen),

@@ -2,6 +2,7 @@ package org.dronemap.cognitive.operation.follow;
 
 import java.time.Duration;
 import java.time.Instant;
+import org.dronemap.cognitive.operation.CopterEndurance;
 import org.jspecify.annotations.Nullable;
 
 /** Decides whether a replaced drone of a follow flies home by setpoints, or is commanded to return by itself. */
@@ -28,7 +29,7 @@ final class GuidedReturn {
                 && homeMeters != null
                 && homeMeters > NEAR_METERS
                 && (percent == null
-                        || percent >= FollowEndurance.RESERVE_PERCENT + FollowEndurance.percentBack(homeMeters))
+                        || percent >= CopterEndurance.RESERVE_PERCENT + CopterEndurance.percentBack(homeMeters))
                 && at.isBefore(one.since().plus(LONGEST));
     }
 }

@@ -23,12 +23,12 @@ final class RunCompletion {
         boolean open =
                 draft.targets().stream().anyMatch(target -> !target.state().isSettled());
         boolean mayGoOn = draft.drones().stream().anyMatch(drone -> drone.stage() == RunDroneStage.SUSPENDED);
-        if (open && mayGoOn) {
+        if (open && (mayGoOn || RunPoolDrones.mayJoin(draft))) {
             return;
         }
         for (RunWaypoint target : draft.targets()) {
             if (!target.state().isSettled()) {
-                String why = target.reason() == null ? "No drone was left for it." : target.reason();
+                String why = target.reason() == null ? RunPoolDrones.leftover(draft) : target.reason();
                 draft.put(target.to(RunWaypoint.State.UNSERVED, null, why));
             }
         }

@@ -9,7 +9,9 @@ import org.dronemap.cognitive.operation.run.model.RunDroneStage;
 import org.dronemap.cognitive.operation.run.model.RunInput;
 import org.dronemap.cognitive.operation.run.model.RunTrigger;
 import org.dronemap.cognitive.operation.run.model.RunWaypoint;
+import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.VehicleKind;
 
 /** Lets drones join, rejoin and leave a mission run, and calls all of them home when a user stops it. */
 final class RunMembership {
@@ -17,11 +19,12 @@ final class RunMembership {
 
     static void apply(RunTransition draft, RunInput.UserRequest wish) {
         if (wish instanceof RunInput.JoinDrone join) {
-            Double height = ReturnLayers.above(draft).of(join.craft(), join.kind(), 0);
-            RunDrone drone =
-                    RunDrone.joining(new RunDrone.Profile(join.craft(), join.name(), join.kind(), height), draft.now());
-            draft.put(drone);
-            draft.addCause(RunTrigger.JOINED, drone.id(), join.by() + " let " + join.name() + " join.");
+            join(draft, join.craft(), join.name(), join.kind(), join.by() + " let " + join.name() + " join.");
+        } else if (wish instanceof RunInput.JoinFromPool join) {
+            RunPoolDrones.joined(draft);
+            join(draft, join.craft(), join.name(), join.kind(), join.name() + " of the pool joins. " + join.why());
+        } else if (wish instanceof RunInput.NoPoolDrone none) {
+            RunPoolDrones.noneLeft(draft, none.why());
         } else if (wish instanceof RunInput.ResumeDrone resume) {
             resume(draft, draft.drone(resume.drone()), resume.by());
         } else if (wish instanceof RunInput.GiveUpDrone give) {
@@ -29,6 +32,13 @@ final class RunMembership {
         } else if (wish instanceof RunInput.Stop stop) {
             stop(draft, stop.by());
         }
+    }
+
+    private static void join(RunTransition draft, Craft craft, String name, VehicleKind kind, String words) {
+        Double height = ReturnLayers.above(draft).of(craft, kind, 0);
+        RunDrone drone = RunDrone.joining(new RunDrone.Profile(craft, name, kind, height), draft.now());
+        draft.put(drone);
+        draft.addCause(RunTrigger.JOINED, drone.id(), words);
     }
 
     /** Where it is shows when it is looked at next. */

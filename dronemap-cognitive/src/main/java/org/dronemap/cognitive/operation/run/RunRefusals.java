@@ -10,6 +10,7 @@ import org.dronemap.cognitive.operation.run.model.RunDroneStage;
 import org.dronemap.cognitive.operation.run.model.RunInput;
 import org.dronemap.cognitive.operation.run.model.RunObjection;
 import org.dronemap.cognitive.operation.run.model.RunWaypoint;
+import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Place;
 import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.cognitive.problem.Waypoint;
@@ -52,11 +53,14 @@ final class RunRefusals {
                             "There is no proposal " + answer.proposal() + " that waits for an answer.",
                             Subject.PROPOSAL.is(answer.proposal()));
         }
+        return isOfDrone(input) ? ofDrone(state, input) : ofWaypoint(state, input);
+    }
+
+    private static boolean isOfDrone(RunInput input) {
         return input instanceof RunInput.JoinDrone
-                        || input instanceof RunInput.ResumeDrone
-                        || input instanceof RunInput.GiveUpDrone
-                ? ofDrone(state, input)
-                : ofWaypoint(state, input);
+                || input instanceof RunInput.JoinFromPool
+                || input instanceof RunInput.ResumeDrone
+                || input instanceof RunInput.GiveUpDrone;
     }
 
     private static Optional<Objection> ofPause(boolean paused, boolean pauses) {
@@ -70,7 +74,10 @@ final class RunRefusals {
 
     private static Optional<Objection> ofDrone(RunState state, RunInput input) {
         if (input instanceof RunInput.JoinDrone join) {
-            return joins(state, join);
+            return joins(state, join.craft());
+        }
+        if (input instanceof RunInput.JoinFromPool join) {
+            return joins(state, join.craft());
         }
         boolean resumes = input instanceof RunInput.ResumeDrone;
         DroneId id =
@@ -99,22 +106,22 @@ final class RunRefusals {
                 : why(RunObjection.DRONE_OUT, name + " is out of the run already.", Subject.DRONE.is(id.value()));
     }
 
-    private static Optional<Objection> joins(RunState state, RunInput.JoinDrone join) {
-        boolean there = state.drone(join.craft().id())
+    private static Optional<Objection> joins(RunState state, Craft craft) {
+        boolean there = state.drone(craft.id())
                 .filter(drone -> drone.stage() != RunDroneStage.LEFT)
                 .isPresent();
         if (there) {
             return why(
                     RunObjection.DRONE_IN_RUN,
                     "The drone is part of the run.",
-                    Subject.DRONE.is(join.craft().id().value()));
+                    Subject.DRONE.is(craft.id().value()));
         }
         return state.drones().size() >= MOST_DRONES
                 ? why(
                         RunObjection.DRONES_FULL,
                         "A run has " + MOST_DRONES + " drones at most.",
                         Subject.MOST.is(MOST_DRONES))
-                : near(state, join.craft().start().place());
+                : near(state, craft.start().place());
     }
 
     private static Optional<Objection> ofWaypoint(RunState state, RunInput input) {

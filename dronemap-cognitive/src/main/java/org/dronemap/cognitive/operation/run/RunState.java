@@ -10,6 +10,7 @@ import org.dronemap.cognitive.operation.run.model.RunDrone;
 import org.dronemap.cognitive.operation.run.model.RunDroneStage;
 import org.dronemap.cognitive.operation.run.model.RunExplanation;
 import org.dronemap.cognitive.operation.run.model.RunOrder;
+import org.dronemap.cognitive.operation.run.model.RunPool;
 import org.dronemap.cognitive.operation.run.model.RunSettings;
 import org.dronemap.cognitive.operation.run.model.RunWaypoint;
 import org.dronemap.core.drone.DroneId;
@@ -133,6 +134,17 @@ public record RunState(
 
     public Optional<RunWaypoint> target(String id) {
         return targets.stream().filter(target -> target.id().equals(id)).findFirst();
+    }
+
+    /** So many drones of the pool may join in the place of lost ones; 0: none has to. */
+    public int vacancies() {
+        RunPool pool = setting.pool();
+        if (pool == null || isOver() || stopping || clock.pausedSince() != null) {
+            return 0;
+        }
+        long flying = drones.stream().filter(RunPoolDrones::counts).count();
+        boolean open = targets.stream().anyMatch(target -> !target.state().isSettled());
+        return open && flying < drones.size() ? (int) Math.max(0, pool.upTo() - flying) : 0;
     }
 
     public long count(RunWaypoint.State state) {

@@ -31,6 +31,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.operation.AirspaceSnapshot;
+import org.dronemap.core.operation.ChosenDrone;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.operation.OperationObservation;
 import org.dronemap.core.operation.TargetReport;
@@ -56,7 +57,7 @@ class FollowGuidanceTest {
     private final FollowState state = FollowState.begin(
                     new OperationId("follow-1"),
                     new FollowOrder(
-                            new FollowOrder.ChosenDrone(FALCON, "Falcon", HOME, 488, "Falcon was chosen."),
+                            new ChosenDrone(FALCON, "Falcon", HOME, 488, "Falcon was chosen."),
                             PHONE,
                             new FollowOrder.RelativePlace(new StandOffSide.Fixed(0), 0, 15),
                             12,
@@ -182,8 +183,7 @@ class FollowGuidanceTest {
 
     @Test
     void isNotThereForTheOtherOneBeforeItHasRisen() {
-        FollowOrder.ChosenDrone kestrel =
-                new FollowOrder.ChosenDrone(new DroneId("d2"), "Kestrel", PHONE, 488, "It was chosen.");
+        ChosenDrone kestrel = new ChosenDrone(new DroneId("d2"), "Kestrel", PHONE, 488, "It was chosen.");
         FollowOperation follow = new FollowOperation(Separation.USUAL);
         FollowState relieved =
                 follow.decide(state, new FollowInput.SendRelief(ZERO, kestrel)).next();
@@ -211,8 +211,7 @@ class FollowGuidanceTest {
     /** Metres above its home. */
     private double waitingHeight() {
         guide = new FollowGuidance(state.order().near(), Separation.USUAL);
-        FollowOrder.ChosenDrone kestrel =
-                new FollowOrder.ChosenDrone(new DroneId("d2"), "Kestrel", HOME, 488, "It was chosen.");
+        ChosenDrone kestrel = new ChosenDrone(new DroneId("d2"), "Kestrel", HOME, 488, "It was chosen.");
         FollowState relieved = new FollowOperation(Separation.USUAL)
                 .decide(state, new FollowInput.SendRelief(ZERO, kestrel))
                 .next();
@@ -252,8 +251,7 @@ class FollowGuidanceTest {
     /** By one that waited 20 m away; it has flown beside its home. */
     private FollowState replaced() {
         FollowOperation follow = new FollowOperation(Separation.USUAL);
-        FollowOrder.ChosenDrone kestrel =
-                new FollowOrder.ChosenDrone(new DroneId("d2"), "Kestrel", PHONE, 488, "It was chosen.");
+        ChosenDrone kestrel = new ChosenDrone(new DroneId("d2"), "Kestrel", PHONE, 488, "It was chosen.");
         FollowState relieved =
                 follow.decide(state, new FollowInput.SendRelief(ZERO, kestrel)).next();
         FollowState up = relieved.reliefOrNone().others().get(0).to(FollowStage.TRACKING, ZERO, "It is in the air.");

@@ -11,6 +11,7 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.operation.ChosenDrone;
 import org.dronemap.core.operation.OperationAction;
 import org.dronemap.core.operation.OperationDecision;
 import org.dronemap.core.operation.OperationId;
@@ -38,7 +39,7 @@ abstract class FollowTestBase {
     FollowState state = FollowState.begin(
             new OperationId("follow-1"),
             new FollowOrder(
-                    new FollowOrder.ChosenDrone(new DroneId("d1"), "Falcon", HOME, 488, "Falcon was chosen."),
+                    new ChosenDrone(new DroneId("d1"), "Falcon", HOME, 488, "Falcon was chosen."),
                     HOME,
                     BEHIND,
                     12,

@@ -14,6 +14,7 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.SetReturnOnCloudLoss;
 import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.operation.ChosenDrone;
 import org.dronemap.core.operation.OperationAction;
 import org.dronemap.core.operation.OperationDecision;
 import org.jspecify.annotations.Nullable;
@@ -35,8 +36,8 @@ class ReliefHandoverTest extends FollowTestBase {
 
     private final Set<CommandId> ids = new HashSet<>();
 
-    private static FollowOrder.ChosenDrone chosen(DroneId drone, String name) {
-        return new FollowOrder.ChosenDrone(drone, name, HOME, 488, name + " was chosen.");
+    private static ChosenDrone chosen(DroneId drone, String name) {
+        return new ChosenDrone(drone, name, HOME, 488, name + " was chosen.");
     }
 
     private void relieve(DroneId drone, String name) {

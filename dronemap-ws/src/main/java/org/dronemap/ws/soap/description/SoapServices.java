@@ -31,6 +31,8 @@ public record SoapServices(Map<String, SoapService> services, XmlTypes types, Ma
                     "Telemetry"),
             FOLLOWER,
             List.of("Follows"),
+            "DispatchService",
+            List.of("Dispatches"),
             "PlanningService",
             List.of("Plans", "Mission runs", "Zones"),
             "VirtualDroneService",

@@ -72,6 +72,15 @@ public sealed interface RunInput {
     @Stored(as = "JoinDrone", names = "at by craft name kind")
     record JoinDrone(Instant at, String by, Craft craft, String name, VehicleKind kind) implements UserRequest {}
 
+    /** A further drone that the cloud chose of the pool in the place of one that is lost; {@code why} as sentences. */
+    @Stored(as = "JoinFromPool", names = "at by craft name kind why")
+    record JoinFromPool(Instant at, String by, Craft craft, String name, VehicleKind kind, String why)
+            implements UserRequest {}
+
+    /** No drone of the pool can join now; {@code why} as one or more sentences. */
+    @Stored(as = "NoPoolDrone", names = "at by why")
+    record NoPoolDrone(Instant at, String by, String why) implements UserRequest {}
+
     /** The only way back for a drone that somebody took. */
     @Stored(as = "ResumeDrone", names = "at by drone")
     record ResumeDrone(Instant at, String by, DroneId drone) implements UserRequest {}

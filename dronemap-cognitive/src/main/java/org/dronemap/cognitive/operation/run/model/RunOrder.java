@@ -10,6 +10,7 @@ import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.operation.OperationId;
 import org.dronemap.core.stored.Stored;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The order that a mission run begins with: problem, accepted plan, drones and settings.
@@ -18,6 +19,7 @@ import org.dronemap.core.stored.Stored;
  * @param plan the accepted one, which the independent checker found no fault with
  * @param members all drones of the problem
  * @param search how long a better plan is looked for when something changes
+ * @param upTo so many drones of the pool fly it, which the cloud chooses; null: they were named
  */
 public record RunOrder(
         OperationId id,
@@ -28,7 +30,8 @@ public record RunOrder(
         MissionCloudLossPolicy onCloudLoss,
         long seed,
         Duration search,
-        Instant at) {
+        Instant at,
+        @Nullable Integer upTo) {
     private static final Duration LONGEST_SEARCH = Duration.ofMinutes(1);
 
     /** A drone as people know it, and what it is: how a mission ends depends on that. */
@@ -40,6 +43,20 @@ public record RunOrder(
         AUTOMATIC,
         /** Somebody is asked; what is unsafe for one drone is acted on all the same. */
         ASK_FIRST
+    }
+
+    /** By drones that were named. */
+    public RunOrder(
+            OperationId id,
+            PlanningProblem problem,
+            Plan plan,
+            List<Member> members,
+            ApprovalMode mode,
+            MissionCloudLossPolicy onCloudLoss,
+            long seed,
+            Duration search,
+            Instant at) {
+        this(id, problem, plan, members, mode, onCloudLoss, seed, search, at, null);
     }
 
     public RunOrder {

@@ -1,4 +1,4 @@
-package org.dronemap.ws.follow;
+package org.dronemap.ws.operation;
 
 import java.time.Instant;
 import java.util.List;
@@ -6,7 +6,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import org.dronemap.cognitive.operation.follow.FollowOrder;
 import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
@@ -23,6 +22,7 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.ControlState;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
+import org.dronemap.core.operation.ChosenDrone;
 import org.dronemap.core.virtual.DroneRequirements;
 import org.dronemap.core.virtual.DroneSelection;
 import org.dronemap.core.virtual.ServiceDemand;
@@ -31,48 +31,47 @@ import org.dronemap.core.virtual.VirtualTour;
 import org.dronemap.core.virtual.VirtualTourSection;
 import org.dronemap.ws.problem.CommandProblem;
 import org.dronemap.ws.problem.NotFoundProblem;
-import org.dronemap.ws.problem.OperationProblem;
 import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.jspecify.annotations.Nullable;
 
-/** Chooses the drone that will follow a phone, by the same criteria as for virtual drones. */
-final class FollowDroneSelector {
+/**
+ * Chooses the drone of an operation that is to come to a place, by the same criteria as for virtual drones. Any thread.
+ */
+public final class PoolDroneSelector {
     private static final double SECONDS = 60;
-    private static final DroneRequirements NEEDS = new DroneRequirements(
-            null, Set.of(Capability.TAKE_OFF, Capability.TRACK, Capability.RETURN_TO_LAUNCH), null, null);
 
     private final CloudManager cloud;
 
-    FollowDroneSelector(CloudManager cloud) {
+    public PoolDroneSelector(CloudManager cloud) {
         this.cloud = cloud;
     }
 
-    /** Task of a drone for a follow: come, stay for so many minutes, return home. */
-    record Task(Geodetic near, FollowOrder.RelativePlace place, double minutes) {
+    /**
+     * Task of a drone: come, stay for so many minutes, return home.
+     *
+     * @param heightMeters above the drone's home
+     * @param capabilities beside what every mission takes
+     */
+    public record Task(Geodetic near, double heightMeters, double minutes, Set<Capability> capabilities) {
+        public Task {
+            capabilities = Set.copyOf(capabilities);
+        }
+
         private ServiceDemand demand(@Nullable Wind wind) {
-            Altitude height = new Altitude(place.heightMeters(), Altitude.Reference.HOME);
+            Altitude height = new Altitude(heightMeters, Altitude.Reference.HOME);
             // In whole seconds, as vehicles count the time at a waypoint.
             MissionItem.Waypoint there = new MissionItem.Waypoint(near, height, Math.ceil(minutes * SECONDS));
-            return new ServiceDemand(NEEDS, new VirtualTour(place.heightMeters(), List.of(there), false), 0, wind);
+            DroneRequirements needs = new DroneRequirements(null, capabilities, null, null);
+            return new ServiceDemand(needs, new VirtualTour(heightMeters, List.of(there), false), 0, wind);
         }
     }
 
     /** {@code chosen}: empty, and {@code why} each cannot. */
-    record Found(Optional<FollowOrder.ChosenDrone> chosen, String why) {}
+    public record Found(Optional<ChosenDrone> chosen, String why) {}
 
-    /** Among these; a conflict with why each cannot when none can. */
-    FollowOrder.ChosenDrone choose(Principal principal, List<DroneState> drones, Task task, Instant now) {
-        Found found = find(principal, drones, task, now);
-        return found.chosen()
-                .orElseThrow(() -> Rejection.of(
-                        OperationProblem.NO_DRONE_TO_FOLLOW,
-                        drones.isEmpty()
-                                ? "The warehouse has no drone that you may command. Name one that you look after."
-                                : "No drone can follow now. " + found.why()));
-    }
-
-    Found find(Principal principal, List<DroneState> drones, Task task, Instant now) {
+    /** Among these. */
+    public Found find(Principal principal, List<DroneState> drones, Task task, Instant now) {
         Wind wind = Wind.near(task.near(), seen(principal), now).orElse(null);
         DroneSelection selection =
                 DroneSelection.of(task.demand(wind), drones, (drone, share) -> objection(principal, drone, share));
@@ -88,7 +87,7 @@ final class FollowDroneSelector {
                         .collect(Collectors.joining(" ")));
     }
 
-    private FollowOrder.ChosenDrone chosen(DroneId id, String why) {
+    private ChosenDrone chosen(DroneId id, String why) {
         DroneState drone = cloud.drone(id).orElseThrow(() -> Rejection.unknown(NotFoundProblem.DRONE, id.value()));
         Home home = drone.home();
         if (home == null) {
@@ -97,7 +96,7 @@ final class FollowDroneSelector {
                     "Where the home of " + drone.name() + " is, is not known any more.",
                     ProblemParameter.DRONE.is(id.value()));
         }
-        return new FollowOrder.ChosenDrone(id, drone.name(), home.point(), home.altitudeAmslMeters(), why);
+        return new ChosenDrone(id, drone.name(), home.point(), home.altitudeAmslMeters(), why);
     }
 
     private Optional<UnfitReason> objection(Principal principal, DroneState drone, VirtualTourSection share) {
@@ -112,7 +111,7 @@ final class FollowDroneSelector {
     }
 
     /** It stands in the air and waits for what it is told, and nobody has control of it. */
-    boolean isLeftAloft(DroneId id) {
+    public boolean isLeftAloft(DroneId id) {
         return cloud.controls().control(id).tenure() == null
                 && cloud.drone(id)
                         .filter(DroneState::airborne)
@@ -124,11 +123,12 @@ final class FollowDroneSelector {
     }
 
     /** In the hands of no one, nor of their user. */
-    boolean isFree(DroneId id) {
+    public boolean isFree(DroneId id) {
         return cloud.controls().control(id).tenure() == null;
     }
 
-    List<DroneState> commandable(Principal principal) {
+    /** That the user may command. */
+    public List<DroneState> commandable(Principal principal) {
         return seen(principal).stream()
                 .filter(drone -> principal.may(Role.OPERATOR, drone.id()))
                 .toList();

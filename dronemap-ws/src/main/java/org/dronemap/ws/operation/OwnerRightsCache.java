@@ -1,4 +1,4 @@
-package org.dronemap.ws.follow;
+package org.dronemap.ws.operation;
 
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
  * Tells what the owners of mission runs, follows and virtual drones may fly now, from a cache of one second. Asked many
  * times a second, looked up once. Any thread.
  */
-public final class OwnerRightsCache implements VirtualDroneRights, OperationRights, FollowReliefScheduler.Owners {
+public final class OwnerRightsCache implements VirtualDroneRights, OperationRights, OperationOwners {
     private static final long FRESH_NANOS = 1_000_000_000L;
 
     private final AccessStore store;
