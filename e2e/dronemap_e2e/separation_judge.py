@@ -33,9 +33,22 @@ EQUATOR_METRES, ECCENTRICITY_SQUARED = 6_378_137.0, 0.006_694_379_990_14
 
 COLUMNS = ("seed", "second", "vehicle", "latitude", "longitude", "amsl", "above_pad", "armed")
 TABLE = (
-    *("scenario", "seed", "mechanism", "result", "second", "pair", "horizontal", "vertical", "share"),
+    *(
+        "scenario",
+        "seed",
+        "moment",
+        "mechanism",
+        "result",
+        "second",
+        "pair",
+        "horizontal",
+        "vertical",
+        "share",
+    ),
     *("breaches", "unserved", "late", "factor"),
 )
+# So many of them say which flight it is.
+KEYS = 4
 
 
 @dataclass(frozen=True)
@@ -95,6 +108,8 @@ class Verdict:
 
     scenario: str
     seed: int
+    # The second at which something came between; empty: nothing did.
+    moment: str
     mechanism: str
     nearest: Approach
     # The first breach of each pair.
@@ -111,7 +126,8 @@ class Verdict:
 
     @property
     def words(self) -> str:
-        said = [f"{self.scenario} seed {self.seed} ({self.mechanism}): {self.result}"]
+        moment = f" at {self.moment} s" if self.moment else ""
+        said = [f"{self.scenario} seed {self.seed}{moment} ({self.mechanism}): {self.result}"]
         said += [f"breach, {one.words}" for one in self.breaches]
         if not self.breaches and self.nearest is not NOBODY:
             said.append(f"nearest, {self.nearest.words}")
@@ -123,7 +139,7 @@ class Verdict:
         first = min(self.breaches, key=lambda one: one.second, default=self.nearest)
         seen = self.nearest is not NOBODY
         return [
-            *(self.scenario, str(self.seed), self.mechanism, self.result),
+            *(self.scenario, str(self.seed), self.moment, self.mechanism, self.result),
             f"{first.second:.1f}" if seen else "",
             " and ".join(first.pair) if seen else "",
             *((f"{self.nearest.horizontal:.2f}", f"{self.nearest.vertical:.2f}") if seen else ("", "")),
@@ -191,14 +207,14 @@ def find_breaches(tracks: Tracks, limits: Limits) -> tuple[Approach, list[Approa
     return nearest, list(first.values())
 
 
-def unserved_waypoints(tracks: Tracks, operations: list[dict[str, Any]]) -> list[str]:
-    """The waypoints that no vehicle passed near enough, of operations that were to serve all of theirs."""
+def unserved_waypoints(tracks: Tracks, operations: list[dict[str, Any]], served: float) -> list[str]:
+    """Waypoints that no vehicle passed within `served` metres, of operations that were to serve all of theirs."""
     return [
         f"{operation['name']} waypoint {waypoint['name']} by {passed:.1f} m"
         for operation in operations
         if operation["required"]
         for waypoint in operation["waypoints"]
-        if (passed := _nearest_pass(tracks.values(), waypoint)) > SERVED_METRES + ROUNDING_METRES
+        if (passed := _nearest_pass(tracks.values(), waypoint)) > served + ROUNDING_METRES
     ]
 
 
@@ -254,10 +270,11 @@ def judge(tracks: Tracks, facts: dict[str, Any], limits: Limits) -> Verdict:
     return Verdict(
         facts["scenario"],
         facts["seed"],
+        f"{facts['moment']:.1f}" if "moment" in facts else "",
         "on" if facts["mechanism"] else "off",
         nearest,
         breaches,
-        unserved_waypoints(tracks, facts["operations"]),
+        unserved_waypoints(tracks, facts["operations"], facts.get("served", SERVED_METRES)),
         late,
         factor,
     )
@@ -275,10 +292,10 @@ def write_rows(file: Path, verdicts: Sequence[Verdict]) -> None:
     if file.exists():
         for line in file.read_text(encoding="utf-8").splitlines()[1:]:
             row = line.split("\t")
-            rows[tuple(row[:3])] = row
+            rows[tuple(row[:KEYS])] = row
     for verdict in verdicts:
-        rows[tuple(verdict.row()[:3])] = verdict.row()
-    ordered = sorted(rows.values(), key=lambda row: (row[0], row[2], int(row[1])))
+        rows[tuple(verdict.row()[:KEYS])] = verdict.row()
+    ordered = sorted(rows.values(), key=lambda row: (row[0], row[3], int(row[1]), float(row[2] or 0)))
     file.parent.mkdir(parents=True, exist_ok=True)
     new = file.with_suffix(".new")
     new.write_text("\n".join("\t".join(row) for row in [TABLE, *ordered]) + "\n", encoding="utf-8")

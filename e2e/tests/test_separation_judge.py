@@ -64,7 +64,7 @@ def test_first_breach_of_each_pair_and_nearest_of_all() -> None:
     verdict = judged({"a": standing(0, 20), "b": nearer})
     assert [one.second for one in verdict.breaches] == [0.0]
     assert (verdict.nearest.second, round(verdict.nearest.horizontal, 2)) == (1.9, 7.1)
-    assert verdict.row()[4:9] == ["0.0", "a and b", "7.10", "0.00", "0.710"]
+    assert verdict.row()[5:10] == ["0.0", "a and b", "7.10", "0.00", "0.710"]
 
 
 @pytest.mark.parametrize(("east", "up"), [(10.0, 20.0), (0.0, 25.0), (10.0, 25.0), (9.0, 25.0), (10.0, 21.0)])
@@ -172,10 +172,10 @@ def test_folders_are_judged_and_kept_in_a_table(tmp_path: Path, capsys: pytest.C
     assert main([near, touch, "--table", str(table), "--breaching", "0.5"]) == 0
     assert main([near, touch, "--breaching", "0.8"]) == 1
     assert main([touch, "--table", str(table)]) == 0
-    lines = [line.split("\t")[:6] for line in table.read_text().splitlines()[1:]]
+    lines = [line.split("\t")[:7] for line in table.read_text().splitlines()[1:]]
     assert lines == [
-        ["made", "9", "off", "ok", "0.0", "a and b"],
-        ["made", "10", "off", "breach", "0.0", "a and b"],
+        ["made", "9", "", "off", "ok", "0.0", "a and b"],
+        ["made", "10", "", "off", "breach", "0.0", "a and b"],
     ]
     (tmp_path / "near" / "facts.json").unlink()
     assert main([near]) == 2
