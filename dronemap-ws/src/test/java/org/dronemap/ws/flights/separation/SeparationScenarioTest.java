@@ -28,7 +28,7 @@ class SeparationScenarioTest {
     static Stream<Arguments> flights() {
         return Arrays.stream(Scenario.values())
                 .filter(scenario -> scenario != Scenario.FLEET)
-                .flatMap(scenario -> LongStream.rangeClosed(1, SEEDS).mapToObj(seed -> Arguments.of(scenario, seed)));
+                .flatMap(scenario -> SEEDS.stream().map(seed -> Arguments.of(scenario, seed)));
     }
 
     @ParameterizedTest
@@ -39,9 +39,7 @@ class SeparationScenarioTest {
         FlownTogether rehearsal = flight.rehearsal();
         FlownTogether flown = flight.together(Disturbance.NONE, 0);
 
-        assertThat(rehearsal.leastShare())
-                .as("where nothing keeps them apart")
-                .isLessThan(1);
+        assertThat(rehearsal.leastShare()).as("where nothing keeps them apart").isLessThan(1);
         assertThat(rehearsal.faults()).isEmpty();
         assertThat(flown.faults()).isEmpty();
         if (LaboratorySetup.isSeparationOn()) {
