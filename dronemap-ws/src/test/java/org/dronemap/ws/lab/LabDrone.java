@@ -14,6 +14,7 @@ import org.dronemap.sim.flight.SimulatedCraft;
 import org.dronemap.sim.physics.BatteryModel;
 import org.dronemap.sim.physics.LocalFrame;
 import org.dronemap.sim.physics.NeuPosition;
+import org.dronemap.sim.physics.SensorNoise;
 import org.dronemap.sim.physics.WindModel;
 import org.jspecify.annotations.Nullable;
 
@@ -59,7 +60,8 @@ public final class LabDrone implements LabVehicle {
                 kit.kind().body().get(),
                 new BatteryModel(MILLIAMP_HOURS),
                 new WindModel(kit.windSpeed(), 0, seed),
-                new NavigationEstimator((long) (kit.readySeconds() * MILLIS)));
+                new NavigationEstimator((long) (kit.readySeconds() * MILLIS)),
+                kit.noisy() ? SensorNoise.of(seed) : SensorNoise.none());
         this.vehicle = new SimulatedVehicle(
                 kit.settings(systemId, numbers.number(), lab.now().toEpochMilli() * 1_000),
                 kit.kind(),
@@ -140,13 +142,13 @@ public final class LabDrone implements LabVehicle {
 
     /** Where it is, in truth. */
     public Geodetic where() {
-        NeuPosition here = craft().body().position();
+        NeuPosition here = craft().truePosition();
         return new Geodetic(start.latitudeOf(here), start.longitudeOf(here));
     }
 
     /** Metres above the sea, in truth. */
     public double amsl() {
-        return start.altitudeOf(craft().body().position());
+        return start.altitudeOf(craft().truePosition());
     }
 
     /** Metres above the sea where it was put down. */

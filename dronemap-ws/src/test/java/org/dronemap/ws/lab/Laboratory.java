@@ -18,7 +18,6 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.access.User;
 import org.dronemap.core.geo.Geodetic;
-import org.dronemap.core.operation.SavedOperation;
 import org.dronemap.core.organisation.OrganisationId;
 import org.dronemap.core.process.ProcessStart;
 import org.dronemap.core.time.SteppedTime;
@@ -36,12 +35,9 @@ import org.jspecify.annotations.Nullable;
  */
 public final class Laboratory implements AutoCloseable {
     private static final Instant BEGAN = Instant.parse("2026-05-01T10:00:00Z");
-    private static final int MOST_OPERATIONS = 1_000;
-    private static final int MOST_COMMANDS = 10_000;
     private static final double SPACING_METERS = 60;
     private static final int FIRST_PEER = 200;
     private static final int FIRST_ROBOT = 3_301;
-    private static final int MOST_ENTRIES = 1_000_000;
     private static final int FIRST_PORT_OF_PEERS = 40_000;
     private static final int FIRST_PEER_PORT = 40_500;
     private static final Duration BEAT = Duration.ofMillis(20);
@@ -50,6 +46,7 @@ public final class Laboratory implements AutoCloseable {
 
     private final SteppedTime time;
     private final long seed;
+    private final boolean separates;
     private final DataFolder data = new DataFolder();
     private final MemoryStores stores = new MemoryStores();
     private final FlightFingerprint record;
@@ -63,7 +60,12 @@ public final class Laboratory implements AutoCloseable {
     private @Nullable SteppedServer server;
 
     public Laboratory(long seed) {
+        this(seed, LaboratorySetup.isSeparationOn());
+    }
+
+    Laboratory(long seed, boolean separates) {
         this.seed = seed;
+        this.separates = separates;
         time = new SteppedTime(BEGAN, seed);
         record = new FlightFingerprint(time::nanos);
         var unused = time.worker("vehicles", 1).every(BEAT, BEAT, () -> drones.forEach(LabDrone::beat));
@@ -77,7 +79,7 @@ public final class Laboratory implements AutoCloseable {
 
     public void startServer(ProcessStart beginning) {
         process = time.killable();
-        server = new SteppedServer(data.path(), process, stores, beginning);
+        server = new SteppedServer(data.path(), separates ? process : SeparationOff.in(process), stores, beginning);
         drones.forEach(drone -> drone.attach(server().links()));
         peers.forEach(peer -> peer.wire().attach(server().links()));
         signingPeers.forEach(peer -> peer.wire().attach(server().links()));
@@ -279,6 +281,11 @@ public final class Laboratory implements AutoCloseable {
         return seed;
     }
 
+    /** Its server keeps drones of all operations apart. */
+    public boolean separates() {
+        return separates;
+    }
+
     Principal principal(String name, Role role) {
         return principal(name, role, KeyScope.ALL, null);
     }
@@ -370,18 +377,7 @@ public final class Laboratory implements AutoCloseable {
 
     /** SHA-256 of all frames, commands' outcomes and journals of this flight; the last that it can be asked. */
     public String sum() {
-        for (String kind : List.of("missionRun", "follow", "dispatch")) {
-            for (SavedOperation operation : stores.operations().latest(OrganisationId.HOME, kind, MOST_OPERATIONS)) {
-                record.note(operation.toString());
-                stores.operations()
-                        .journal(operation.id(), 0, MOST_ENTRIES)
-                        .forEach(entry -> record.note(entry.toString()));
-            }
-        }
-        for (LabDrone drone : drones) {
-            stores.commands().commandsOf(drone.id(), MOST_COMMANDS).forEach(command -> record.note(command.toString()));
-        }
-        stores.virtualDrones().virtualDrones().forEach(drone -> record.note(drone.toString()));
+        record.note(stores, drones.stream().map(LabDrone::id).toList());
         return record.sum();
     }
 

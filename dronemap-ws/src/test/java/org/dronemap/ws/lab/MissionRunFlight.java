@@ -68,7 +68,8 @@ public final class MissionRunFlight {
         return begins(lab, pilot, drones, finished(lab, pilot, asked), manner);
     }
 
-    private static MissionRunFlight begins(
+    /** Begins with a plan that has been found. */
+    public static MissionRunFlight begins(
             Laboratory lab, Pilot pilot, List<LabDrone> drones, PlanView plan, Manner manner) {
         RunRequest.StartRequest request = new RunRequest.StartRequest(
                 plan.id(), manner.mode(), manner.onCloudLoss(), "roofs", manner.searchSeconds());

@@ -16,6 +16,7 @@ import org.dronemap.sim.physics.GroundBody;
  * @param readySeconds until its position estimate stands
  * @param presets parameters that are not as its autopilot has them
  * @param usb its link is its first channel, on which it takes unsigned messages even when it has a key
+ * @param noisy it is not quite where it believes to be, as with a receiver and a barometer
  */
 public record VehicleSpec(
         AutopilotKind kind,
@@ -24,7 +25,8 @@ public record VehicleSpec(
         double readySeconds,
         int parameters,
         Map<String, Double> presets,
-        boolean usb) {
+        boolean usb,
+        boolean noisy) {
     private static final double BY_ITSELF = -1;
     private static final int MIDDLE = 1_500;
 
@@ -35,9 +37,10 @@ public record VehicleSpec(
             1,
             0,
             Map.of(),
-            true);
+            true,
+            false);
     public static final VehicleSpec PX4 =
-            new VehicleSpec(new AutopilotKind("px4", "", SimulatedPx4::new), 2, 0, 1, 0, Map.of(), true);
+            new VehicleSpec(new AutopilotKind("px4", "", SimulatedPx4::new), 2, 0, 1, 0, Map.of(), true, false);
 
     public static final VehicleSpec ROVER = new VehicleSpec(
             new AutopilotKind(
@@ -50,7 +53,8 @@ public record VehicleSpec(
             1,
             0,
             Map.of(),
-            true);
+            true,
+            false);
 
     /** One of each that flies. */
     public static Stream<VehicleSpec> autopilots() {
@@ -67,31 +71,36 @@ public record VehicleSpec(
     }
 
     public VehicleSpec inWind(double speed) {
-        return new VehicleSpec(kind, mavlinkVersion, speed, readySeconds, parameters, presets, usb);
+        return new VehicleSpec(kind, mavlinkVersion, speed, readySeconds, parameters, presets, usb, noisy);
     }
 
     /** Its position estimate stands so long after it was switched on. */
     public VehicleSpec readyAfter(double seconds) {
-        return new VehicleSpec(kind, mavlinkVersion, windSpeed, seconds, parameters, presets, usb);
+        return new VehicleSpec(kind, mavlinkVersion, windSpeed, seconds, parameters, presets, usb, noisy);
     }
 
     public VehicleSpec with(Map<String, Double> values) {
-        return new VehicleSpec(kind, mavlinkVersion, windSpeed, readySeconds, parameters, values, usb);
+        return new VehicleSpec(kind, mavlinkVersion, windSpeed, readySeconds, parameters, values, usb, noisy);
     }
 
     /** On a link where it insists on signatures once it has a key. */
     public VehicleSpec insisting() {
-        return new VehicleSpec(kind, mavlinkVersion, windSpeed, readySeconds, parameters, presets, false);
+        return new VehicleSpec(kind, mavlinkVersion, windSpeed, readySeconds, parameters, presets, false, noisy);
     }
 
     /** With so many parameters as real ones have. */
     public VehicleSpec withParameters(int count) {
-        return new VehicleSpec(kind, mavlinkVersion, windSpeed, readySeconds, count, presets, usb);
+        return new VehicleSpec(kind, mavlinkVersion, windSpeed, readySeconds, count, presets, usb, noisy);
+    }
+
+    /** Where it truly is differs from where it believes to be by some metres, which wander. */
+    public VehicleSpec withNoise() {
+        return new VehicleSpec(kind, mavlinkVersion, windSpeed, readySeconds, parameters, presets, usb, true);
     }
 
     /** It speaks MAVLink 1. */
     public VehicleSpec ofMavlink1() {
-        return new VehicleSpec(kind, 1, windSpeed, readySeconds, parameters, presets, usb);
+        return new VehicleSpec(kind, 1, windSpeed, readySeconds, parameters, presets, usb, noisy);
     }
 
     @Override

@@ -18,6 +18,6 @@ public final class WingedSpecs {
     private WingedSpecs() {}
 
     private static VehicleSpec spec(AutopilotKind kind) {
-        return new VehicleSpec(kind, 2, 0, 1, 0, Map.of(), true);
+        return new VehicleSpec(kind, 2, 0, 1, 0, Map.of(), true, false);
     }
 }
