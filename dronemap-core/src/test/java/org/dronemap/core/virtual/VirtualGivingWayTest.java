@@ -12,6 +12,8 @@ import org.dronemap.core.separation.GiveWay;
 import org.dronemap.core.virtual.VirtualFixtures.Drone;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The mission of a virtual drone whose real one gives way to others. */
 class VirtualGivingWayTest {
@@ -91,8 +93,9 @@ class VirtualGivingWayTest {
     }
 
     /** It stood for as long as it had to. */
-    @Test
-    void isNotStuckWhenItGoesOnAfterALongWait() {
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void isNotStuckWhenItGoesOnAfterALongWait(boolean shownFirst) {
         fly();
         drone.mode = "GUIDED";
         giveWay = give(GiveWay.Manner.STOP, false);
@@ -100,8 +103,10 @@ class VirtualGivingWayTest {
         now = now.plusSeconds(100);
         still = Duration.ofSeconds(100);
         drone.mode = "AUTO";
-        giveWay = null;
+        giveWay = shownFirst ? give(GiveWay.Manner.STOP, true) : null;
         step(new Outcome.Succeeded());
+        step(null);
+        giveWay = null;
         step(null);
         assertThat(run.stage()).isEqualTo(VirtualRunStage.FLYING);
 

@@ -62,6 +62,16 @@ final class SeparationFlight {
         }
     }
 
+    /** By then all would be down if nobody were in anybody's way, in seconds after the first moment. */
+    double lastSecond() {
+        double last = 0;
+        for (int number = 0; number < parties.size(); number++) {
+            last = Math.max(
+                    last, meeting.begins().get(number) + alone.get(number).seconds());
+        }
+        return last;
+    }
+
     Meeting meeting() {
         return meeting;
     }
@@ -131,16 +141,22 @@ final class SeparationFlight {
 
         /** False: it is not over after so many seconds. */
         boolean fly(double longest, Disturbance disturbance, double disturbed) {
-            if (disturbance != Disturbance.NONE) {
-                Duration at = Duration.ofMillis(Math.round(disturbed * 1_000));
-                lab.time().worker("disturbance", 2).after(at, () -> disturbance.begin(lab, drones()));
-                lab.time().worker("its end", 2).after(at.plus(Disturbance.LASTS), () -> disturbance.end(lab, drones()));
-            }
-            double least = disturbance == Disturbance.NONE ? 0 : disturbed + Disturbance.LASTS.toSeconds();
+            double end = disturbed + disturbance.lasts().toMillis() / 1e3;
+            double least = disturbance == Disturbance.NONE ? 0 : end;
+            double before = -1;
             boolean over = false;
             while (!over && seconds() < longest) {
                 // Between what happens in the server: one of its threads may be waited for.
-                step();
+                if (before < disturbed && seconds() >= disturbed) {
+                    disturbance.begin(lab, drones());
+                }
+                if (before < end && seconds() >= end) {
+                    disturbance.end(lab, drones());
+                }
+                before = seconds();
+                if (lab.isUp()) {
+                    step();
+                }
                 lab.goOn(LOOK);
                 over = seconds() > least && isOver(disturbance);
             }
