@@ -2,6 +2,7 @@ package org.dronemap.core.separation;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
@@ -19,6 +20,8 @@ final class DepartureGuard {
     private static final double STANDS_SPEED = 2;
     /** From the decision until it rises. */
     private static final int STRIDES_TO_ARM = 6;
+    /** From the decision until it sets off from its stand. */
+    private static final int STRIDES_TO_GO = 3;
     /** The share of the distance that two who fly by their plans may come to. */
     private static final double AS_PLANNED = 0.7;
 
@@ -32,27 +35,42 @@ final class DepartureGuard {
     /** Over its home nobody climbs from here to make room. */
     private static final double HIGHEST_OVER_METERS = 80;
 
+    /** Where no moment is found by then at which its whole flight is clear, it sets off. */
+    private static final Duration LONGEST_PROOF = Duration.ofSeconds(30);
+
     private final SeparationRound round;
+    private final FlightProof proof;
     /** Who sets off now, or is about to: nobody else sets off into their way. */
     private final Map<DroneId, List<Track>> departing = new HashMap<>();
 
     DepartureGuard(SeparationRound round) {
         this.round = round;
+        this.proof = new FlightProof(round);
     }
 
     void check() {
         // Who has set off already comes first.
-        round.picture.drones().stream()
-                .filter(DepartureGuard::rises)
-                .forEach(drone -> departing.put(
-                        drone.id(), round.far.here(drone) == null ? List.of() : List.of(fromTheGround(drone))));
+        round.picture.drones().stream().filter(DepartureGuard::rises).forEach(drone -> {
+            TrackSample here = round.far.here(drone);
+            departing.put(drone.id(), here == null ? List.of() : List.of(round.far.mission(drone, here)));
+            if (here != null) {
+                proof.counts(drone, here);
+            }
+        });
         round.picture.drones().stream()
                 .filter(drone -> drone.step() == FlightIntent.Step.RISE && !rises(drone))
                 .forEach(this::checkTakeOff);
         round.picture.drones().stream().filter(DepartureGuard::isAboutToGoOn).forEach(this::checkDeparture);
+        // Who may go on already comes before those who would go at the same moment.
         round.picture.drones().stream()
                 .filter(drone -> round.yielding(drone) != null)
+                .sorted(Comparator.comparing(drone -> !isSettingOff(drone)))
                 .forEach(this::checkHold);
+    }
+
+    private boolean isSettingOff(TrackedDrone drone) {
+        Yielding own = round.yielding(drone);
+        return own != null && own.isSettingOff(round.picture.now());
     }
 
     /** It is armed for its mission, and not in the air yet. */
@@ -60,11 +78,6 @@ final class DepartureGuard {
         return drone.step() == FlightIntent.Step.RISE
                 && Boolean.TRUE.equals(drone.state().armed())
                 && !drone.state().airborne();
-    }
-
-    private Track fromTheGround(TrackedDrone drone) {
-        TrackSample here = round.far.here(drone);
-        return here == null ? new Track(List.of()) : round.far.mission(drone, here);
     }
 
     /** Nobody takes off into the way of one who is in the air, or takes off beside it at the same time. */
@@ -78,13 +91,23 @@ final class DepartureGuard {
         Optional<TrackedDrone> above = others(drone)
                 .filter(other -> ways(other).stream()
                         .anyMatch(way -> up.stream().anyMatch(mine -> isInTheWay(drone, mine, way, other))))
-                .findFirst();
+                .findFirst()
+                .or(() -> mayWait(drone) ? proof.meets(drone, here) : Optional.empty());
         above.ifPresentOrElse(other -> waitFor(drone, other), () -> {
             round.yielding.remove(drone.id());
             if (isUnderWay(drone)) {
                 departing.put(drone.id(), up);
+                proof.counts(drone, here);
             }
         });
+    }
+
+    /** On the ground a drone waits for free, but not for ever: in the air it is kept apart as well. */
+    private boolean mayWait(TrackedDrone drone) {
+        FlightIntent intent = drone.intent();
+        return intent != null
+                && !intent.commanded()
+                && Duration.between(intent.since(), round.picture.now()).compareTo(LONGEST_PROOF) < 0;
     }
 
     /** One that cannot be armed yet does not keep those beside it on the ground for ever. */
@@ -172,8 +195,12 @@ final class DepartureGuard {
         boolean home = goesHome(drone);
         Track mine = home ? round.far.homeward(drone, here) : round.far.mission(drone, here);
         boolean clear = isClear(drone, mine, home || !rolls(drone));
-        round.yielding.put(drone.id(), own.clear(clear));
+        Yielding next = clear ? own.mayGoOn(round.picture.now()) : own.mayNotGoOn();
+        round.yielding.put(drone.id(), next);
         if (clear) {
+            if (next.isSettingOff(round.picture.now())) {
+                departing.put(drone.id(), List.of(mine, mine.after(STRIDES_TO_GO)));
+            }
             return;
         }
         Duration lasting = own.lasting(round.picture.now());
@@ -188,7 +215,7 @@ final class DepartureGuard {
     private boolean isClear(TrackedDrone drone, Track mine, boolean mayRoll) {
         return others(drone).allMatch(other -> {
             Separation least = round.least(drone, other);
-            return round.far(other).stream()
+            return ways(other).stream()
                     .allMatch(way -> mine.isPassable(way, least) && (mayRoll || !isNear(mine, way, least)));
         });
     }

@@ -125,6 +125,25 @@ record Track(List<TrackSample> samples) {
         return clearanceNow(other, new Separation(meters, least.verticalMeters())) < 1;
     }
 
+    /**
+     * They come too near to each other if either may be early or late.
+     *
+     * @param seconds by so much at least
+     * @param share and by such a share of the time until then
+     */
+    boolean meets(Track other, Separation least, double seconds, double share) {
+        for (int i = 0; i < samples.size(); i++) {
+            int wide = (int) Math.ceil((seconds + share * i * STRIDE_SECONDS) / STRIDE_SECONDS);
+            int last = Math.min(other.samples.size() - 1, i + wide);
+            for (int j = Math.max(0, i - wide); j <= last; j++) {
+                if (samples.get(i).isNear(other.samples.get(j), least)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
     PlanePoint begin() {
         return samples.get(0).spot();
     }

@@ -12,6 +12,13 @@ record TrackSample(PlanePoint spot, double low, double high, double reach) {
         this(spot, meters, meters, 0);
     }
 
+    /** Heights first: most pairs are done with them. */
+    boolean isNear(TrackSample other, Separation least) {
+        return low - other.high < least.verticalMeters()
+                && other.low - high < least.verticalMeters()
+                && spot.distanceMeters(other.spot) - reach - other.reach < least.horizontalMeters();
+    }
+
     TrackSample at(double reachMeters, double lower, double higher) {
         return new TrackSample(spot, lower, higher, reachMeters);
     }

@@ -14,20 +14,27 @@ import org.jspecify.annotations.Nullable;
  * @param busyUntil it is on a step aside until then at most
  * @param stood it was seen standing since it was told to
  * @param aside where it steps aside to; null: it stands
+ * @param clearSince since when it may go on; null: it may not
  */
-public record Yielding(GiveWay give, Instant since, Instant busyUntil, boolean stood, Command.@Nullable GoTo aside) {
+public record Yielding(
+        GiveWay give,
+        Instant since,
+        Instant busyUntil,
+        boolean stood,
+        Command.@Nullable GoTo aside,
+        @Nullable Instant clearSince) {
     /** From an order to step aside until it moves. */
     private static final Duration UNTIL_MOVING = Duration.ofMillis(1_500);
     /** From an order to stand until it shows. */
     private static final Duration UNTIL_SEEN = Duration.ofSeconds(3);
 
     static Yielding began(GiveWay give, Instant busyUntil, Command.@Nullable GoTo aside) {
-        return new Yielding(give, give.since(), busyUntil, false, aside);
+        return new Yielding(give, give.since(), busyUntil, false, aside, null);
     }
 
     /** As it was before a restart: told, and long since standing. */
     public static Yielding restored(GiveWay give) {
-        return new Yielding(give, give.since(), give.since(), true, null);
+        return new Yielding(give, give.since(), give.since(), true, null, null);
     }
 
     DroneId to() {
@@ -43,17 +50,27 @@ public record Yielding(GiveWay give, Instant since, Instant busyUntil, boolean s
         return give.manner() != GiveWay.Manner.WAIT;
     }
 
-    Yielding clear(boolean now) {
-        return give.clear() == now ? this : new Yielding(give.withClear(now), since, busyUntil, stood, aside);
+    Yielding mayGoOn(Instant now) {
+        Instant free = clearSince == null ? now : clearSince;
+        return new Yielding(give.withClear(true), since, busyUntil, stood, aside, free);
+    }
+
+    Yielding mayNotGoOn() {
+        return new Yielding(give.withClear(false), since, busyUntil, stood, aside, null);
+    }
+
+    /** It may go on, and does so in the next moments: others count with it. */
+    boolean isSettingOff(Instant now) {
+        return clearSince != null && Duration.between(clearSince, now).compareTo(UNTIL_SEEN) <= 0;
     }
 
     Yielding seenStanding() {
-        return stood ? this : new Yielding(give, since, busyUntil, true, aside);
+        return stood ? this : new Yielding(give, since, busyUntil, true, aside, clearSince);
     }
 
     /** It gives way to another one, or in another way, from now on. */
     Yielding again(GiveWay next, Instant until, Command.@Nullable GoTo there) {
-        return new Yielding(next, since, until, stood && next.manner() != GiveWay.Manner.WAIT, there);
+        return new Yielding(next, since, until, stood && next.manner() != GiveWay.Manner.WAIT, there, null);
     }
 
     /** The order did not show in time: it was lost, or somebody has it go on. */

@@ -226,4 +226,51 @@ class SeparationGuardTest {
             assertThat(give(one).since()).as("it is told again").isAfter(FlyingDrone.NOW);
         }
     }
+
+    /** Each of them is clear of the other only as long as that one stands. */
+    @Test
+    void ofTwoThatWaitAndWouldMeetOneGoesOnFirst() {
+        FlyingDrone one = new FlyingDrone("a", -40, 0).to(60, 0, 20);
+        FlyingDrone other = new FlyingDrone("b", 0, -40).to(0, 60, 20);
+        FlyingDrone passed = new FlyingDrone("c", 0, 400).to(0, 600, 20);
+        List.of(one, other).forEach(drone -> {
+            drone.mode = "GUIDED";
+            drone.eastward = 0;
+            drone.northward = 0;
+        });
+        yielding = Map.of(one.id, stood(passed), other.id, stood(passed));
+        look(one, other, passed);
+        assertThat(Stream.of(one, other).filter(drone -> give(drone).clear())).hasSize(1);
+        FlyingDrone first = give(one).clear() ? one : other;
+
+        now = now.plusMillis(250);
+        look(one, other, passed);
+        assertThat(give(first).clear()).as("it stays the first").isTrue();
+        assertThat(Stream.of(one, other).filter(drone -> give(drone).clear())).hasSize(1);
+
+        now = now.plusSeconds(20);
+        look(one, other, passed);
+        assertThat(give(first == one ? other : one).clear())
+                .as("one that may go and does not keeps nobody for ever")
+                .isTrue();
+    }
+
+    /** Seconds before they meet, a server that is not there any more could not stop them. */
+    @ParameterizedTest
+    @ValueSource(strings = {"another's", "of its own plan", "later"})
+    void doesNotSetOffForWhereItWouldMeetAMissionLongAfterwards(String whose) {
+        FlyingDrone one = new FlyingDrone("a", 0, -400).risesTo(0, 400, 20);
+        FlyingDrone other = new FlyingDrone("b", -480, 0).to(500, 0, 20);
+        if (whose.equals("of its own plan")) {
+            other.operation = one.operation;
+        }
+        now = whose.equals("later") ? now.plusSeconds(40) : now;
+        look(one, other);
+        if (whose.equals("another's")) {
+            assertThat(give(one).manner()).isEqualTo(GiveWay.Manner.WAIT);
+            other.east = -100;
+            look(one, other);
+        }
+        assertThat(yielding).isEmpty();
+    }
 }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.dronemap.cognitive.operation.run.model.RunDrone;
+import org.dronemap.cognitive.operation.run.model.RunDroneStage;
 import org.dronemap.cognitive.operation.run.model.Sortie;
 import org.dronemap.cognitive.plan.BarrierCheck;
 import org.dronemap.cognitive.plan.TimedPlace;
@@ -59,8 +60,16 @@ final class RunIntents {
                 ahead(drone),
                 new FlightPace(speeds.cruise(), speeds.climb(), speeds.descent(), speeds.acceleration()),
                 command != null,
-                command == null ? drone.since() : command.at(),
+                command == null ? since(drone) : command.at(),
                 bounds);
+    }
+
+    /** One that waits on the ground for the time of its plan means to rise from then on. */
+    private static Instant since(RunDrone drone) {
+        Sortie sortie = drone.sortie();
+        return drone.stage() == RunDroneStage.READY && sortie != null
+                ? sortie.moment(sortie.tour().departsSeconds())
+                : drone.since();
     }
 
     private static List<MissionItem> ahead(RunDrone drone) {
