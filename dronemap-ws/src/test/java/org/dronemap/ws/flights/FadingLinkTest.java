@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.FadingLink;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.LabVehicleLink;
@@ -19,6 +20,8 @@ import org.dronemap.ws.lab.ZoneFixtures;
 import org.dronemap.ws.link.DtlsKeyService.DtlsKeyRequest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** What is done before a link is lost that fades, and that nothing is done while a link is as it usually is. */
 class FadingLinkTest {
@@ -118,6 +121,31 @@ class FadingLinkTest {
             lab.until("it goes on", Duration.ofSeconds(90), () -> drone.mode() == AUTO);
             assertThat(drone.isTold("Its link is as usual again since it has climbed"))
                     .isTrue();
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"continue, 3", "rtl, 6"})
+    void doesWithoutTheCloudWhatItsOwnerChoseAfterItHasClimbedToo(String onCloudLoss, long mode) {
+        try (Laboratory lab = new Laboratory(1)) {
+            LabDrone drone = lab.copter();
+            lab.pilot("ann", Role.OPERATOR)
+                    .plans(drone, 30, drone.place(3_000, 0), drone.place(0, 0))
+                    .does(drone, CommandRequests.arm())
+                    .does(drone, CommandRequests.startMission(onCloudLoss));
+            FadingLink link = new FadingLink(lab, drone.wire(), Quality.GOOD, 1);
+            lab.goOn(USUAL);
+            assertThat(link.fades(FADE_SECONDS, () -> drone.isTold("It climbs")))
+                    .isTrue();
+            lab.until("it has risen", Duration.ofSeconds(30), () -> drone.mode() == GUIDED && drone.height() > 40);
+            link.recovers();
+            lab.until("it goes on", Duration.ofSeconds(90), () -> drone.mode() == AUTO);
+            lab.goOn(Duration.ofSeconds(5));
+
+            drone.wire().cut();
+            lab.goOn(Duration.ofSeconds(60));
+
+            assertThat(drone.mode()).isEqualTo(mode);
         }
     }
 
