@@ -29,6 +29,7 @@ class FadingLinkTest {
     private static final long GUIDED = 4;
     private static final long RTL = 6;
     private static final int FADE_SECONDS = 60;
+    private static final int FIRST_SEED = 1_001;
     private static final Duration USUAL = Duration.ofSeconds(90);
     private static final Duration FLIGHT = Duration.ofMinutes(4);
     private static final List<Quality> NORMALS = List.of(
@@ -50,9 +51,10 @@ class FadingLinkTest {
         return told && drone.mode() != AUTO;
     }
 
+    /** Thresholds were chosen on other seeds. */
     private static int actedInTime(int seeds) {
         int acted = 0;
-        for (int seed = 1; seed <= seeds; seed++) {
+        for (int seed = FIRST_SEED; seed < FIRST_SEED + seeds; seed++) {
             try (Laboratory lab = new Laboratory(seed)) {
                 LabDrone drone = flies(lab);
                 FadingLink link = new FadingLink(lab, drone.wire(), NORMALS.get(seed % NORMALS.size()), seed);
@@ -68,17 +70,17 @@ class FadingLinkTest {
         return acted;
     }
 
+    /** Judged by each moment of the flight: an act that is over at its end was one too many. */
     private static void nothingIsDone(int seeds) {
-        for (int seed = 1; seed <= seeds; seed++) {
+        for (int seed = FIRST_SEED; seed < FIRST_SEED + seeds; seed++) {
             for (Quality normal : NORMALS) {
                 try (Laboratory lab = new Laboratory(seed)) {
                     LabDrone drone = flies(lab);
                     drone.wire().is(normal);
-                    lab.goOn(FLIGHT);
-                    assertThat(drone.isTold("Its link gets worse"))
-                            .as("seed %d, %s", seed, normal)
-                            .isFalse();
-                    assertThat(drone.mode()).isEqualTo(AUTO);
+                    lab.throughout(
+                            "nothing is done, seed " + seed + ", " + normal,
+                            FLIGHT,
+                            () -> drone.mode() == AUTO && !drone.isTold("Its link g"));
                 }
             }
         }
@@ -86,7 +88,7 @@ class FadingLinkTest {
 
     @Test
     void actsBeforeTheLinkIsLost() {
-        assertThat(actedInTime(10)).isGreaterThanOrEqualTo(10);
+        assertThat(actedInTime(10)).isEqualTo(10);
     }
 
     @Test
