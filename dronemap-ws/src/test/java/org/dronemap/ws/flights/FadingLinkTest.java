@@ -7,6 +7,9 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.MissionItem;
+import org.dronemap.ws.follow.FollowRequest.PlaceRequest;
 import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.FadingLink;
 import org.dronemap.ws.lab.LabDrone;
@@ -15,9 +18,12 @@ import org.dronemap.ws.lab.LabVehicleLink.Quality;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.MissionRunFlight;
 import org.dronemap.ws.lab.Pilot;
+import org.dronemap.ws.lab.SimulatedPhone;
 import org.dronemap.ws.lab.VehicleSpec;
 import org.dronemap.ws.lab.ZoneFixtures;
 import org.dronemap.ws.link.DtlsKeyService.DtlsKeyRequest;
+import org.dronemap.ws.mission.MissionItemRequest;
+import org.dronemap.ws.virtual.VirtualDroneRequest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -258,6 +264,68 @@ class FadingLinkTest {
             assertThat(run.end().waypoints())
                     .allMatch(waypoint -> waypoint.state().equals("visited"));
             assertThat(run.decidesTheSameAgain()).isTrue();
+        }
+    }
+
+    @Test
+    void anotherDroneFliesOnWithTheMissionOfAVirtualDrone() {
+        try (Laboratory lab = new Laboratory(1)) {
+            List<LabDrone> drones = lab.copters(2);
+            Pilot chief = lab.pilot("chief", Role.SUPERVISOR);
+            drones.forEach(one ->
+                    lab.server().warehouse().put(chief.principal(), one.id().value()));
+            Geodetic far = drones.get(0).place(1_200, 0);
+            String virtual = lab.server()
+                    .virtuals()
+                    .add(
+                            chief.principal(),
+                            new VirtualDroneRequest(
+                                    "Survey",
+                                    null,
+                                    MissionItemRequest.of(
+                                            List.of(new MissionItem.Waypoint(far, Altitude.aboveHome(30), 0)))))
+                    .id();
+            lab.server().virtuals().start(chief.principal(), virtual, null);
+            lab.until("it flies", Duration.ofMinutes(2), () -> drones.stream().anyMatch(one -> one.mode() == AUTO));
+            LabDrone first = drones.stream()
+                    .filter(one -> one.mode() == AUTO)
+                    .findFirst()
+                    .orElseThrow();
+            LabDrone other = drones.get(1 - drones.indexOf(first));
+            FadingLink link = new FadingLink(lab, first.wire(), Quality.GOOD, 1);
+            lab.goOn(Duration.ofSeconds(30));
+
+            assertThat(link.fades(FADE_SECONDS, () -> !first.isLost() && first.mode() == RTL))
+                    .isTrue();
+
+            lab.until("another one comes to the place", Duration.ofMinutes(8), () -> other.distanceTo(far) < 5);
+            assertThat(first.distanceTo(far)).isGreaterThan(200);
+        }
+    }
+
+    @Test
+    void aDroneThatFollowsFliesHomeAndAnotherOneComes() {
+        try (Laboratory lab = new Laboratory(1)) {
+            List<LabDrone> drones = lab.copters(2);
+            Pilot chief = lab.pilot("chief", Role.SUPERVISOR);
+            drones.forEach(one ->
+                    lab.server().warehouse().put(chief.principal(), one.id().value()));
+            LabDrone first = drones.get(0);
+            SimulatedPhone phone = lab.phone(lab.pilot("ann", Role.OPERATOR), first, 150, 0);
+            phone.asks(first, new PlaceRequest("fixed", 180.0, null, 10.0, 15.0), 60)
+                    .starts();
+            phone.awaits("tracking", Duration.ofMinutes(2));
+            FadingLink link = new FadingLink(lab, first.wire(), Quality.GOOD, 1);
+            lab.goOn(Duration.ofSeconds(60));
+
+            assertThat(link.fades(FADE_SECONDS, () -> !first.isLost() && first.mode() == RTL))
+                    .isTrue();
+            assertThat(phone.wasTold("flies home before its link is lost")).isTrue();
+
+            link.recovers();
+            LabDrone other = drones.get(1);
+            lab.until("another one has come", Duration.ofMinutes(3), () -> other.distanceTo(phone.place()) < 15);
+            lab.until("the first one is down at home", Duration.ofMinutes(3), () -> first.isDown() && first.away() < 3);
         }
     }
 }
