@@ -228,7 +228,8 @@ final class TrackForecast {
 
     /** It comes to stand first, and goes there then. */
     Track aside(TrackedDrone drone, TrackSample from, TrackSample to) {
-        Track first = drone.isOnMission() || drone.isLed() ? flying(drone, from).stopping(STRIDES_TO_STAND) : standing(from);
+        Track first =
+                drone.isOnMission() || drone.isLed() ? flying(drone, from).stopping(STRIDES_TO_STAND) : standing(from);
         List<TrackSample> samples = new ArrayList<>(first.samples().subList(0, STRIDES_TO_STAND));
         TrackBuilder walk = new TrackBuilder(pace(drone), strides, samples.get(samples.size() - 1), 0, 0);
         walk.to(to);

@@ -67,9 +67,7 @@ class DispatchSeparationTest {
             bob.fliesTo(above, sent.place(0, 300), HEIGHT);
             lab.throughout("they are apart", Duration.ofSeconds(40), () -> areApart(sent, above));
             lab.untilSeen(
-                    "it is there",
-                    WAY,
-                    () -> view(lab, ann, dispatch).state().equals("here"));
+                    "it is there", WAY, () -> view(lab, ann, dispatch).state().equals("here"));
             assertThat(view(lab, ann, dispatch).note()).isNull();
         }
     }

@@ -42,7 +42,8 @@ public sealed interface DispatchInput {
             @Nullable GiveWay giveWay,
             @Nullable String fallingLink) {
         /** What it does for another drone now, as a sentence; null: nothing. */
-        @Nullable String aside(String name) {
+        @Nullable
+        String aside(String name) {
             if (giveWay == null || !standsAside()) {
                 return null;
             }

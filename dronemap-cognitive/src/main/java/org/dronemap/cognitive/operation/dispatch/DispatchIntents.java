@@ -31,8 +31,7 @@ final class DispatchIntents {
         MissionItem there = new MissionItem.Waypoint(state.order().place(), Altitude.aboveHome(height), 0);
         Instant since = state.since();
         return switch (state.stage()) {
-            case CHOSEN, STARTING ->
-                intent(Step.RISE, List.of(new MissionItem.TakeOff(height), there), lead, since);
+            case CHOSEN, STARTING -> intent(Step.RISE, List.of(new MissionItem.TakeOff(height), there), lead, since);
             case EN_ROUTE -> intent(isGoing(lead) ? Step.GO : Step.STAND, List.of(there), lead, since);
             case ARRIVED, HERE, SEARCHING, RETURNING, OVER -> intent(Step.STAND, List.of(there), lead, since);
         };
