@@ -104,7 +104,7 @@ final class DepartureGuard {
     private void waitFor(TrackedDrone drone, TrackedDrone other) {
         Yielding own = round.yielding(drone);
         if (own == null || !own.to().equals(other.id()) || own.give().clear()) {
-            round.put(drone, round.give(other, GiveWay.Manner.WAIT, null), 0);
+            round.put(drone, round.give(other, GiveWay.Manner.WAIT, null));
         }
     }
 

@@ -27,6 +27,8 @@ final class SeparationRound {
     /** Heights wander by so much; layers of one plan are exactly as far apart as they must be. */
     private static final double WANDER_METERS = 0.6;
 
+    private static final double THERE_METERS = 1;
+
     final AirspacePicture picture;
     private final Separation planned;
     private final Separation unplanned;
@@ -53,24 +55,43 @@ final class SeparationRound {
     }
 
     List<Track> near(TrackedDrone drone) {
-        return nearTracks.computeIfAbsent(drone.id(), id -> ordered(drone, near.of(drone)));
+        return nearTracks.computeIfAbsent(drone.id(), id -> ordered(drone, near));
     }
 
     List<Track> far(TrackedDrone drone) {
-        return farTracks.computeIfAbsent(drone.id(), id -> ordered(drone, far.of(drone)));
+        return farTracks.computeIfAbsent(drone.id(), id -> ordered(drone, far));
     }
 
     /** Who was told to stand, and does not yet, may do either; who stands does. */
-    private List<Track> ordered(TrackedDrone drone, List<Track> tracks) {
+    private List<Track> ordered(TrackedDrone drone, TrackForecast forecast) {
+        List<Track> tracks = forecast.of(drone);
         Yielding own = yielding.get(drone.id());
-        if (own == null || !own.isOrdered() || drone.waits() || drone.isLost()) {
+        if (own == null || !own.isOrdered() || drone.isLost()) {
             return tracks;
+        }
+        if (drone.waits()) {
+            return own.aside() == null ? tracks : aside(drone, own, own.aside(), tracks, forecast);
         }
         List<Track> both = new ArrayList<>(stopping(tracks));
         if (own.isUnheeded(picture.now())) {
             both.addAll(tracks);
         }
         return both;
+    }
+
+    /** It goes to where it was told to, unless it is there already, or stands all the same. */
+    private List<Track> aside(
+            TrackedDrone drone, Yielding own, Command.GoTo to, List<Track> tracks, TrackForecast forecast) {
+        TrackSample here = here(drone);
+        if (here == null || drone.handling() != Handling.COMMANDED) {
+            return tracks;
+        }
+        TrackSample there =
+                new TrackSample(plane.spot(to.point()), to.altitude().meters());
+        boolean arrived = here.spot().distanceMeters(there.spot()) < THERE_METERS
+                && Math.abs(here.low() - there.low()) < THERE_METERS;
+        boolean unheeded = own.shouldMove(picture.now()) && drone.isStill();
+        return arrived || unheeded ? tracks : List.of(forecast.onward(drone, here, there));
     }
 
     /** The same, told now to stand. */
@@ -142,7 +163,7 @@ final class SeparationRound {
 
     /** It gives way so from now on, and is commanded to. */
     void command(TrackedDrone drone, GiveWay give, double seconds, Command command, String why) {
-        put(drone, give, seconds);
+        put(drone, give, seconds, command instanceof Command.GoTo there ? there : null);
         orders.add(new SeparationOrder(drone.id(), command, why));
         nearTracks.remove(drone.id());
         farTracks.remove(drone.id());
@@ -158,10 +179,16 @@ final class SeparationRound {
                 who.name() + " " + step.words() + ", to make room for " + whom.name() + ".");
     }
 
-    void put(TrackedDrone drone, GiveWay give, double seconds) {
+    /** It gives way so from now on, without a command. */
+    void put(TrackedDrone drone, GiveWay give) {
+        put(drone, give, 0, null);
+    }
+
+    private void put(TrackedDrone drone, GiveWay give, double seconds, Command.@Nullable GoTo aside) {
         Yielding before = yielding.get(drone.id());
         Instant until = picture.now().plusMillis(Math.round(1_000 * seconds));
-        yielding.put(drone.id(), before == null ? Yielding.began(give, until) : before.again(give, until));
+        yielding.put(
+                drone.id(), before == null ? Yielding.began(give, until, aside) : before.again(give, until, aside));
     }
 
     GiveWay give(TrackedDrone to, GiveWay.Manner manner, @Nullable String words) {

@@ -237,6 +237,13 @@ final class TrackForecast {
         return new Track(samples.subList(0, strides + 1));
     }
 
+    /** It is on its way there, and stands there then. */
+    Track onward(TrackedDrone drone, TrackSample from, TrackSample to) {
+        TrackBuilder walk = new TrackBuilder(pace(drone), strides, from, 0, drone.speed());
+        walk.to(to);
+        return walk.track();
+    }
+
     Track standing(TrackSample there) {
         return Track.standing(there, strides);
     }

@@ -34,6 +34,8 @@ public record TrackedDrone(
         @Nullable String operation,
         GroundVelocity velocity,
         FlightPace pace) {
+    private static final double STILL_SPEED = 0.7;
+    private static final double STILL_CLIMB = 0.3;
     /** Below this over its home it lands, and is not stopped any more. */
     private static final double LOWEST_HOLD_METERS = 8;
 
@@ -76,6 +78,13 @@ public record TrackedDrone(
         Motion motion = state.motion();
         Double said = motion == null ? null : motion.groundSpeed();
         return said == null ? velocity.speed() : said;
+    }
+
+    /** It neither goes nor climbs nor sinks. */
+    boolean isStill() {
+        Motion motion = state.motion();
+        Double climb = motion == null ? null : motion.climbRate();
+        return speed() < STILL_SPEED && climb != null && Math.abs(climb) < STILL_CLIMB;
     }
 
     boolean isLost() {

@@ -26,13 +26,17 @@ final class VirtualGivingWay {
     static Optional<VirtualRunStep> next(VirtualRun run, DroneState drone, VirtualRunObservation sight) {
         GiveWay give = sight.giveWay();
         if (give == null) {
-            return run.stage() == FLYING && run.note().equals(IN_THE_AIR)
-                    ? Optional.of(VirtualRunStep.unchanged(run.withNote("The drone flies the mission.", sight.now())))
-                    : Optional.empty();
+            return goesOn(run, sight);
         }
         return give.manner() == GiveWay.Manner.WAIT
                 ? onTheGround(run, drone, sight)
                 : inTheAir(run, drone, sight, give.clear());
+    }
+
+    private static Optional<VirtualRunStep> goesOn(VirtualRun run, VirtualRunObservation sight) {
+        return run.stage() == FLYING && run.note().equals(IN_THE_AIR)
+                ? Optional.of(VirtualRunStep.unchanged(run.withNote("The drone flies the mission.", sight.now())))
+                : Optional.empty();
     }
 
     private static Optional<VirtualRunStep> onTheGround(VirtualRun run, DroneState drone, VirtualRunObservation sight) {
@@ -48,7 +52,7 @@ final class VirtualGivingWay {
                 .filter(Steering::acceptsCommands)
                 .isPresent();
         if (!drone.airborne() || (!stands && clear)) {
-            return Optional.empty();
+            return goesOn(run, sight);
         }
         if (!clear && isStuck(run, sight)) {
             return Optional.of(VirtualRunMachine.giveUp(

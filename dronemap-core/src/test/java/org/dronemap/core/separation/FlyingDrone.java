@@ -46,6 +46,7 @@ final class FlyingDrone {
     double homeAmsl = GROUND;
     double eastward;
     double northward;
+    double climbing;
     String mode = "AUTO";
     boolean airborne = true;
     boolean armed = true;
@@ -147,7 +148,7 @@ final class FlyingDrone {
                 airborne ? FlightPhase.IN_AIR : FlightPhase.ON_GROUND,
                 new Position(point(east, north), homeAmsl + height, height),
                 null,
-                new Motion(Math.hypot(eastward, northward), null, 0.0, null),
+                new Motion(Math.hypot(eastward, northward), null, climbing, null),
                 null,
                 null,
                 null,

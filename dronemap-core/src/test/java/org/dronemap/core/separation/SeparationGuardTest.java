@@ -198,4 +198,32 @@ class SeparationGuardTest {
         fallen.silence = Duration.ofSeconds(30);
         assertThat(look(one, fallen).orders).isEmpty();
     }
+
+    /** Where it goes is known: it is not told to go less far meanwhile, as one that would stop here. */
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void whoIsOnItsWayAsideIsNotSentElsewhere(boolean heeds) {
+        FlyingDrone one = new FlyingDrone("a", 0, 0).stands("GUIDED");
+        FlyingDrone other = new FlyingDrone("b", -70, 0).to(70, 0, 20);
+        other.handling = Handling.STEERED;
+        look(one, other);
+        Command.GoTo first = (Command.GoTo) orders.get(0).command();
+        assertThat(first.altitude().meters()).isGreaterThan(FlyingDrone.GROUND + 25);
+
+        for (int step = 1; step <= 10; step++) {
+            now = now.plusMillis(250);
+            other.east += 2;
+            if (heeds) {
+                one.climbing = 2;
+                one.height = Math.min(20 + 0.5 * step, first.altitude().meters() - FlyingDrone.GROUND);
+            }
+            look(one, other);
+            if (heeds) {
+                assertThat(orders).as("after %d steps", step).isEmpty();
+            }
+        }
+        if (!heeds) {
+            assertThat(give(one).since()).as("it is told again").isAfter(FlyingDrone.NOW);
+        }
+    }
 }

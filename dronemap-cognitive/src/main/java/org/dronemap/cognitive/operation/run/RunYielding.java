@@ -77,9 +77,8 @@ final class RunYielding {
 
     private static void explain(RunTransition draft, RunDrone drone, GiveWay give) {
         boolean moves = give.manner() == GiveWay.Manner.MOVE;
-        boolean anew = moves
-                ? give.since().isAfter(drone.since())
-                : !Objects.equals(give.to(), drone.flags().waitsFor());
+        boolean anew = !Objects.equals(give.to(), drone.flags().waitsFor())
+                || (moves && give.since().isAfter(drone.since()));
         if (!anew || give.clear()) {
             return;
         }

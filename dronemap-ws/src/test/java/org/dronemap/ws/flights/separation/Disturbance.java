@@ -70,6 +70,32 @@ enum Disturbance {
         }
     },
 
+    /** The server is killed, and does not come back: vehicles are left to themselves. */
+    KILLED {
+        @Override
+        void begin(Laboratory lab, List<LabDrone> drones) {
+            lab.crashServer();
+        }
+    },
+
+    /** The server is killed, and another one takes up what it left. */
+    RESTARTED {
+        @Override
+        void begin(Laboratory lab, List<LabDrone> drones) {
+            lab.crashServer();
+        }
+
+        @Override
+        void end(Laboratory lab, List<LabDrone> drones) {
+            lab.startServer();
+        }
+
+        @Override
+        Duration lasts() {
+            return DOWN;
+        }
+    },
+
     /** One falls silent and stays where it is; a minute later it reports again. */
     SILENT {
         @Override
@@ -88,8 +114,8 @@ enum Disturbance {
         }
     };
 
-    /** From its beginning to its end. */
-    static final Duration LASTS = Duration.ofSeconds(60);
+    private static final Duration LASTS = Duration.ofSeconds(60);
+    private static final Duration DOWN = Duration.ofSeconds(20);
 
     private static final long LATE_MILLIS = 2_000;
     private static final long LOITER = 5;
@@ -98,6 +124,11 @@ enum Disturbance {
     void begin(Laboratory lab, List<LabDrone> drones) {}
 
     void end(Laboratory lab, List<LabDrone> drones) {}
+
+    /** From its beginning to its end. */
+    Duration lasts() {
+        return LASTS;
+    }
 
     final String words() {
         return name().toLowerCase(Locale.ROOT).replace('_', '-');

@@ -68,6 +68,30 @@ enum Scenario {
         }
     },
 
+    /** Five to eighteen drones: runs of two users, virtual drones, and a follow with every third seed. */
+    MIXED {
+        @Override
+        List<Party> parties(Ground ground) {
+            List<Party> parties = new ArrayList<>();
+            parties.add(ground.run("run 1", Ground.Edge.SOUTH, 2 + ground.chance(4)));
+            parties.add(ground.run("run 2", Ground.Edge.EAST, 2 + ground.chance(4)));
+            int virtuals = 1 + ground.chance(7);
+            for (int number = 0; number < virtuals; number++) {
+                Ground.Edge edge = number % 2 == 0 ? Ground.Edge.NORTH : Ground.Edge.WEST;
+                parties.add(ground.virtual("virtual " + (number + 1), edge, 1 + number / 2));
+            }
+            if (ground.chance(3) == 0) {
+                parties.add(ground.follow("follow 1", Ground.Edge.WEST, 0));
+            }
+            return parties;
+        }
+
+        @Override
+        double side() {
+            return 200;
+        }
+    },
+
     /** Thirty drones: four runs, eight virtual drones, a follow, and one that is flown by hand. */
     FLEET {
         private static final int VIRTUALS = 8;

@@ -11,7 +11,6 @@ import org.dronemap.ws.lab.LaboratorySetup;
 /** One scenario with one seed: each operation alone, and then, as often as wanted, all of them at once. */
 final class SeparationFlight {
     private static final Duration LOOK = Duration.ofMillis(100);
-    private static final Duration SECOND = Duration.ofSeconds(1);
     private static final double LONGEST_ALONE = 600;
     private static final double LONGEST_FACTOR = 3;
     private static final double LONGEST_SLACK = 120;
@@ -61,6 +60,16 @@ final class SeparationFlight {
             }
             return Alone.of(flown.flights().get(0), flown.beganNanos());
         }
+    }
+
+    /** By then all would be down if nobody were in anybody's way, in seconds after the first moment. */
+    double lastSecond() {
+        double last = 0;
+        for (int number = 0; number < parties.size(); number++) {
+            last = Math.max(
+                    last, meeting.begins().get(number) + alone.get(number).seconds());
+        }
+        return last;
     }
 
     Meeting meeting() {
@@ -132,16 +141,23 @@ final class SeparationFlight {
 
         /** False: it is not over after so many seconds. */
         boolean fly(double longest, Disturbance disturbance, double disturbed) {
-            lab.time().worker("scenario", 1).every(Duration.ZERO, LOOK, this::step);
-            if (disturbance != Disturbance.NONE) {
-                Duration at = Duration.ofMillis(Math.round(disturbed * 1_000));
-                lab.time().worker("disturbance", 2).after(at, () -> disturbance.begin(lab, drones()));
-                lab.time().worker("its end", 2).after(at.plus(Disturbance.LASTS), () -> disturbance.end(lab, drones()));
-            }
-            double least = disturbance == Disturbance.NONE ? 0 : disturbed + Disturbance.LASTS.toSeconds();
+            double end = disturbed + disturbance.lasts().toMillis() / 1e3;
+            double least = disturbance == Disturbance.NONE ? 0 : end;
+            double before = -1;
             boolean over = false;
             while (!over && seconds() < longest) {
-                lab.goOn(SECOND);
+                // Between what happens in the server: one of its threads may be waited for.
+                if (before < disturbed && seconds() >= disturbed) {
+                    disturbance.begin(lab, drones());
+                }
+                if (before < end && seconds() >= end) {
+                    disturbance.end(lab, drones());
+                }
+                before = seconds();
+                if (lab.isUp()) {
+                    step();
+                }
+                lab.goOn(LOOK);
                 over = seconds() > least && isOver(disturbance);
             }
             lab.goOn(Duration.ofMillis(Math.round(GOES_ON * 1_000)));
