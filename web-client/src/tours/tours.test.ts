@@ -15,7 +15,7 @@ import {
   waypointsOf,
 } from './tour-text';
 import { tourFeatures } from './tour-features';
-import { whyNoDrones, whyRequirementsInvalid, whyOptionsInvalid } from './plan-limits';
+import { whyRequirementsInvalid, whyOptionsInvalid } from './plan-limits';
 
 const PLACES = new Map([
   ['1', { latitude: 47.1, longitude: 8.1 }],
@@ -280,36 +280,6 @@ describe('a plan for several drones', () => {
     await tours.catchUp();
     expect(tours.plan).toBeNull();
     expect(tours.problem).toContain('no longer knows this plan');
-  });
-
-  it('is asked for with drones that are named, or with up to so many of the pool, never with both', async () => {
-    const bodies: Record<string, unknown>[] = [];
-    const calls = {
-      ask: (body: Record<string, unknown>) => {
-        bodies.push(body);
-        return Promise.resolve(plan({}));
-      },
-    };
-    const tours = new Tours(calls as unknown as ConstructorParameters<typeof Tours>[0]);
-    tours.chosen = ['d1'];
-    await tours.ask([]);
-    tours.ofPool = true;
-    tours.upTo = 4;
-    await tours.ask([]);
-    expect(bodies.map(({ drones, upTo }) => ({ drones, upTo }))).toEqual([
-      { drones: ['d1'], upTo: undefined },
-      { drones: undefined, upTo: 4 },
-    ]);
-  });
-
-  it('needs drones, or a number of them from 1 to 100', () => {
-    const no = { ofPool: true, upTo: null, chosen: ['d1'] };
-    expect(whyNoDrones({ ...no, ofPool: false })).toBeNull();
-    expect(whyNoDrones({ ...no, ofPool: false, chosen: [] })).toBe('Choose drones first.');
-    expect(whyNoDrones({ ...no, upTo: 100, chosen: [] })).toBeNull();
-    for (const upTo of [null, 0, 101, 1.5]) {
-      expect(whyNoDrones({ ...no, upTo })).toContain('1 to 100');
-    }
   });
 
   it('is found again after the page was opened anew, while something of it is under way', () => {
