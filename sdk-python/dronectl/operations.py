@@ -13,6 +13,7 @@ _RUN = "a rare turn of what is under way: by the page, or by call"
 #: The operations that commands are made of, with the command.
 COMMANDS: dict[str, str] = {
     "acceptPlan": "plan accept",
+    "cancelDispatch": "dispatch cancel",
     "addMission": "mission save",
     "addUser": "users add",
     "addVirtualDrone": "virtual add",
@@ -32,6 +33,7 @@ COMMANDS: dict[str, str] = {
     "followEvents": "events follow",
     "getFollow": "follow walk",
     "getLogFile": "logs download",
+    "getDispatch": "send",
     "getPlan": "plan show",
     "getRecordingFile": "record download",
     "getRun": "run show",
@@ -47,6 +49,7 @@ COMMANDS: dict[str, str] = {
     "listLogs": "logs list",
     "listMissions": "mission list",
     "listParameters": "params list",
+    "listDispatches": "dispatch list",
     "listPlans": "plan list",
     "listRecordings": "record list",
     "listRuns": "run list",
@@ -67,6 +70,7 @@ COMMANDS: dict[str, str] = {
     "reportFollowPositions": "follow report",
     "resetPassword": "users reset-password",
     "resumeVirtualDrone": "virtual continue",
+    "sendDrone": "send",
     "setParameter": "params set",
     "startFollow": "follow start",
     "startRun": "plan run",

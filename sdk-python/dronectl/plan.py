@@ -2,6 +2,7 @@
 
 import asyncio
 from pathlib import Path
+from typing import Any
 
 import click
 from rich.table import Table
@@ -34,11 +35,19 @@ def plan() -> None:
 @plan.command()
 @click.argument("file", type=FILE)
 @click.option("-d", "--drone", "drones", type=DRONE, multiple=True, help="Name or id; instead of those in FILE.")
+@click.option(
+    "--up-to", type=click.IntRange(1, 100), help="Up to so many drones of the pool, which the server chooses."
+)
 @click.option("--seconds", type=float, help="How long to search, 0.1 to 60.")
 @click.option("--objective", type=click.Choice(_OBJECTIVES), help="What the plan is to be good at.")
 @connected
 async def make(
-    session: Session, file: Path, drones: tuple[str, ...], seconds: float | None, objective: str | None
+    session: Session,
+    file: Path,
+    drones: tuple[str, ...],
+    up_to: int | None,
+    seconds: float | None,
+    objective: str | None,
 ) -> None:
     """Make a plan for the waypoints in FILE, and show it.
 
@@ -49,11 +58,7 @@ async def make(
     asked = {"waypoints": given} if isinstance(given, list) else given
     if not isinstance(asked, dict):
         raise click.UsageError(f"{file} must be a list of waypoints or an object.", click.get_current_context())
-    names = list(drones) or asked.get("drones") or []
-    if not names:
-        raise click.UsageError("Say which drones with --drone.", click.get_current_context())
-    known = (await session.server.rest.list_drones()).drones
-    asked = asked | {"drones": [chosen(known, str(name)).id for name in names]}
+    asked = asked | await _drones(session, asked, drones, up_to)
     if seconds is not None:
         asked["seconds"] = seconds
     if objective is not None:
@@ -66,6 +71,22 @@ async def make(
                 words = f"Plan {view.id}: {best.longest_seconds:.0f} s long, {best.unserved} left out"
                 working.say(words, min(best.seconds, view.seconds), view.seconds)
     _show(session, await made.wait())
+
+
+async def _drones(
+    session: Session, asked: dict[str, Any], drones: tuple[str, ...], up_to: int | None
+) -> dict[str, Any]:
+    """The drones by their ids, or how many of the pool: what is said here goes before what the file says."""
+    if drones and up_to is not None:
+        raise click.UsageError("Say either --drone or --up-to.", click.get_current_context())
+    names = list(drones) or ([] if up_to is not None else asked.get("drones") or [])
+    most = up_to if up_to is not None or names else asked.get("upTo")
+    if most is not None:
+        return {"drones": None, "upTo": most}
+    if not names:
+        raise click.UsageError("Say which drones with --drone, or how many with --up-to.", click.get_current_context())
+    known = (await session.server.rest.list_drones()).drones
+    return {"drones": [chosen(known, str(name)).id for name in names], "upTo": None}
 
 
 @plan.command()

@@ -188,6 +188,7 @@ def drone(id: str = "d1", name: str = "Heron-1", **members: Any) -> Members:
             "outdated": [],
             "port": 1,
             "quality": {},
+            "trend": {"state": "steady", "secondsLeft": None, "sentence": "Its link is as it usually is."},
             "state": "live",
             "systemId": 1,
             "transport": "udp",

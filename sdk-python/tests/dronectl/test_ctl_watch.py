@@ -126,6 +126,21 @@ def test_plan_without_drones_is_not_asked_for(server: FakeServer, tmp_path: Path
     assert "--drone" in result.stderr
 
 
+def test_plan_for_up_to_so_many_drones_of_the_pool(server: FakeServer, tmp_path: Path) -> None:
+    file = tmp_path / "w.json"
+    file.write_text('{"drones": ["Heron-1"], "waypoints": [{"latitude": 47, "longitude": 8, "altitude": 15}]}')
+    server.answers["POST /plans"] = server.answers["GET /plans/p1"] = changed(
+        samples.PLAN, state="failed", why="No drone gets there.", result=None
+    )
+    run(server, "plan", "make", str(file), "--up-to", "3")
+    asked = server.last("POST", "/plans").body
+    assert asked["upTo"] == 3
+    assert asked.get("drones") is None
+    both = run(server, "plan", "make", str(file), "--up-to", "3", "--drone", "Heron-1")
+    assert both.exit_code == 2
+    assert "either --drone or --up-to" in both.stderr
+
+
 def test_accepted_plan_of_which_a_drone_failed(server: FakeServer) -> None:
     flight = {"drone": "d1", "name": "Heron-1"}
     under_way = {"underWay": True, "drones": [flight | {"stage": "uploading"}]}

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { LinkState } from '../api/types';
 import { droneFeatures } from '../map/features';
 import { aDrone } from '../testing';
-import { linkStateText, outdatedText, statusOf } from './drone-status';
+import { linkMark, linkStateText, outdatedText, statusOf } from './drone-status';
 
 const replayed = (state: LinkState) =>
   aDrone({ replay: true, armed: true, link: { ...aDrone().link, state } });
@@ -28,6 +28,19 @@ describe('status', () => {
   it('calls a replay that has ended just that, and no lost drone', () => {
     expect(statusOf(replayed('ended'))).toEqual({ word: 'Replay ended', tone: 'neutral' });
     expect(linkStateText('ended')).toBe('Ended');
+  });
+
+  it('marks a link that is heard and gets worse', () => {
+    const link = (state: LinkState, trend: 'steady' | 'worse' | 'falling') => ({
+      ...aDrone().link,
+      state,
+      trend: { state: trend, secondsLeft: null, sentence: '' },
+    });
+    expect(linkMark(link('live', 'falling'))).toEqual({ words: 'Link falling', tone: 'red' });
+    expect(linkMark(link('live', 'worse'))).toEqual({ words: 'Link worse', tone: 'amber' });
+    expect(linkMark(link('live', 'steady'))).toEqual({ words: 'Live', tone: 'neutral' });
+    expect(linkMark(link('lost', 'falling')).words).toBe(linkStateText('lost'));
+    expect(linkMark(link('live', 'falling'), true).words).toBe('Offline');
   });
 
   it('does not count on the map how long ago a replay ended', () => {

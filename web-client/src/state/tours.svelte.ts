@@ -11,6 +11,9 @@ export const FLEET_DRAFT = '#fleet';
 export class Tours {
   /** Ids of the drones that are to share the waypoints. */
   chosen = $state<string[]>([]);
+  /** Up to so many drones of the pool, which the cloud chooses; else those that are chosen here. */
+  ofPool = $state(false);
+  upTo = $state<number | null>(3);
   aim = $state<PlanAim>('earliestEnd');
   /** Weighted: 0: all done early, 100: little flying in all. */
   balance = $state(50);
@@ -100,7 +103,7 @@ export class Tours {
     await this.#attempt(async () => {
       const before = this.plan;
       const plan = await this.#calls.ask({
-        drones: this.chosen,
+        ...(this.ofPool ? { upTo: this.upTo } : { drones: this.chosen }),
         waypoints: [...waypoints],
         objective: this.#objective(),
         seconds: this.seconds ?? 5,

@@ -2,6 +2,7 @@ import { isWithin, type AltitudeRange } from '../plan/draft';
 import type { Requirements } from './requirements';
 
 export const SEARCH_SECONDS: AltitudeRange = { lowest: 0.1, highest: 60 };
+export const POOL_DRONES: AltitudeRange = { lowest: 1, highest: 100 };
 export const WIND_SPEEDS: AltitudeRange = { lowest: 0, highest: 100 };
 export const DIRECTIONS: AltitudeRange = { lowest: 0, highest: 360 };
 export const WINDOW_SECONDS: AltitudeRange = { lowest: 0, highest: 86_400 };
@@ -24,6 +25,22 @@ export function whyOptionsInvalid({ seconds, windSpeed, windFrom }: PlanOptions)
     return 'The wind comes from 0 to 360 degrees.';
   }
   return windSpeed !== null && windSpeed > 0 && windFrom === null ? 'Enter where the wind comes from.' : null;
+}
+
+interface DroneChoice {
+  ofPool: boolean;
+  upTo: number | null;
+  chosen: readonly string[];
+}
+
+/** Why the choice of drones is none yet, as a sentence; null: it is one. */
+export function whyNoDrones({ ofPool, upTo, chosen }: DroneChoice): string | null {
+  if (ofPool) {
+    return Number.isInteger(upTo) && isWithin(POOL_DRONES, upTo)
+      ? null
+      : 'Enter how many drones of the pool may fly, 1 to 100.';
+  }
+  return chosen.length === 0 ? 'Choose drones first.' : null;
 }
 
 export const OUTPUTS: AltitudeRange = { lowest: 1, highest: 32 };

@@ -192,6 +192,7 @@ class DescribedBoundsTest {
                                         + unread + "}")
                         .without("drones"),
                 post("/plans", "{\"drones\":[\"unlike\"]}"),
+                post("/plans", "{\"upTo\":1,\"waypoints\":[{}]}").without("waypoints"),
                 post(
                                 "/plans",
                                 "{\"drones\":[\"" + copter

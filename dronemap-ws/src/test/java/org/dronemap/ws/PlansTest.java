@@ -235,6 +235,13 @@ class PlansTest {
     @Test
     void sayWhatIsWrongWithWhatWasAsked() {
         assertThat(field("{" + waypoints(1) + "}")).isEqualTo("drones");
+        assertThat(detail("{" + waypoints(1) + "}")).contains("a list of 1 to 100 ids of drones, or upTo instead");
+        assertThat(field("{" + drones() + ",\"upTo\":2," + waypoints(1) + "}")).isEqualTo("upTo");
+        assertThat(detail("{" + drones() + ",\"upTo\":2," + waypoints(1) + "}"))
+                .isEqualTo("A plan is either for drones that are named (drones) or for some of the pool (upTo), not for"
+                        + " both.");
+        assertThat(field("{\"upTo\":0," + waypoints(1) + "}")).isEqualTo("upTo");
+        assertThat(field("{\"upTo\":101," + waypoints(1) + "}")).isEqualTo("upTo");
         assertThat(field("{" + drones() + "}")).isEqualTo("waypoints");
         assertThat(field("{" + drones() + ",\"waypoints\":[{\"latitude\":95,\"longitude\":8,\"altitude\":20}]}"))
                 .isEqualTo("waypoints[0].latitude");
@@ -252,6 +259,10 @@ class PlansTest {
                 .isEqualTo("waypoints[0].tasks[0].seconds");
         assertThat(field("{" + drones() + ",\"waypoints\":[{\"latitude\":48.4,\"longitude\":18.5,\"altitude\":20}]}"))
                 .isEqualTo("waypoints");
+    }
+
+    private String detail(String body) {
+        return operator.post(PATH, body).text("detail");
     }
 
     private String field(String body) {

@@ -150,12 +150,13 @@ public sealed interface Command {
     /**
      * Fly the mission on board, from where it was left.
      *
-     * @param onCloudLoss what the vehicle shall do by itself when the cloud falls silent on the way
+     * @param onCloudLoss what the vehicle shall do by itself when the cloud falls silent on the way; null: as it was told
+     *     before, for a mission that goes on
      * @param anew from its beginning, also in the air
      */
     @Stored(as = "StartMission", names = "onCloudLoss anew")
-    record StartMission(MissionCloudLossPolicy onCloudLoss, boolean anew) implements Command {
-        public StartMission(MissionCloudLossPolicy onCloudLoss) {
+    record StartMission(@Nullable MissionCloudLossPolicy onCloudLoss, boolean anew) implements Command {
+        public StartMission(@Nullable MissionCloudLossPolicy onCloudLoss) {
             this(onCloudLoss, false);
         }
 

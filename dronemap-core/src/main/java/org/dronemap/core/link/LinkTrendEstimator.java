@@ -16,7 +16,6 @@ public final class LinkTrendEstimator {
     /** Nobody acts on what may happen later. */
     static final double HORIZON_SECONDS = 120;
 
-    private static final LinkMeasure.Kind LOSS = new LinkMeasure.Kind(0.12, 0.5, 0.9, 0);
     // Waiting messages make a round trip longer, too, without an end of the link: half of what is of no use is to be
     // seen.
     private static final LinkMeasure.Kind ROUND_TRIP = new LinkMeasure.Kind(250, 1, 3_000, 1_500);
@@ -36,10 +35,10 @@ public final class LinkTrendEstimator {
     private static final double SILENCE_SECONDS = 5;
     private static final int STEP_SECONDS = 5;
 
-    private final LinkMeasure loss = new LinkMeasure(LOSS);
+    private final LossTrend loss = new LossTrend();
     private final LinkMeasure roundTrip = new LinkMeasure(ROUND_TRIP);
     private final LinkMeasure jitter = new LinkMeasure(JITTER);
-    private final List<LinkMeasure> measures = List.of(loss, roundTrip, jitter);
+    private final List<LinkMeasure> measures = List.of(roundTrip, jitter);
     private LinkTrend trend = LinkTrend.UNKNOWN;
     private double heardShare = 1;
     private double silentSeconds;
@@ -48,8 +47,9 @@ public final class LinkTrendEstimator {
     private int signs;
     private int notGrowing;
 
-    /** {@code heard}: something came since the sample before, {@code seconds} ago. */
-    public LinkTrend sample(LinkQuality quality, boolean heard, double seconds) {
+    /** {@code received} and {@code lost}: messages since the sample before, {@code seconds} ago. */
+    public LinkTrend sample(LinkQuality quality, long received, long lost, double seconds) {
+        boolean heard = received > 0;
         double kept = Math.exp(-seconds / MEMORY_SECONDS);
         heardShare = heardShare * kept + (heard ? 1 - kept : 0);
         silentSeconds = heard ? 0 : silentSeconds + seconds;
@@ -61,7 +61,7 @@ public final class LinkTrendEstimator {
             trend = heardShare < OFTEN_ENOUGH ? SELDOM : trend;
             return trend;
         }
-        loss.add(quality.lossShort());
+        loss.add(received, lost, quality.lossShort() == null ? 0 : quality.lossShort());
         roundTrip.add(quality.roundTripMillis());
         jitter.add(quality.jitterMillis());
         trend = heardShare < OFTEN_ENOUGH ? SELDOM : judge();
@@ -73,17 +73,18 @@ public final class LinkTrendEstimator {
     }
 
     private void begin() {
+        loss.begin();
         measures.forEach(LinkMeasure::begin);
         signs = 0;
     }
 
     private LinkTrend judge() {
-        boolean bad = measures.stream().anyMatch(LinkMeasure::isWorse);
+        boolean bad = loss.isWorse() || measures.stream().anyMatch(LinkMeasure::isWorse);
         boolean lost = loss.isWorst();
         double left = lost ? 0 : secondsLeft();
         boolean growing = left <= HORIZON_SECONDS;
         worse = bad ? worse + 1 : 0;
-        usual = measures.stream().allMatch(LinkMeasure::isUsual) ? usual + 1 : 0;
+        usual = loss.isUsual() && measures.stream().allMatch(LinkMeasure::isUsual) ? usual + 1 : 0;
         signs = Math.max(0, Math.min(SIGNS, signs + (growing ? 1 : -1)));
         notGrowing = growing ? 0 : notGrowing + 1;
         LinkTrend.State next = next(trend.state());
@@ -109,11 +110,12 @@ public final class LinkTrendEstimator {
 
     /** By that which brings the end first; only what is worse than usual counts. */
     private double secondsLeft() {
-        return measures.stream()
+        double others = measures.stream()
                 .filter(LinkMeasure::isWorse)
                 .mapToDouble(LinkMeasure::secondsLeft)
                 .min()
                 .orElse(Double.POSITIVE_INFINITY);
+        return loss.isWorse() ? Math.min(others, loss.secondsLeft()) : others;
     }
 
     /** A figure that changes each second would be news each second. */
@@ -135,8 +137,8 @@ public final class LinkTrendEstimator {
     private String figures() {
         LinkMeasure farthest = measures.stream()
                 .max(Comparator.comparingDouble(LinkTrendEstimator::excess))
-                .orElse(loss);
-        if (farthest == loss) {
+                .orElse(roundTrip);
+        if (loss.excess() >= excess(farthest)) {
             return String.format(
                     Locale.ROOT,
                     "%.0f %% of its messages are lost, usually %.0f %%",

@@ -3,7 +3,6 @@ package org.dronemap.core.safety;
 import java.util.Optional;
 import org.dronemap.core.command.ChangeSpeed;
 import org.dronemap.core.command.Command;
-import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkTrend;
 import org.jspecify.annotations.Nullable;
@@ -145,8 +144,9 @@ public final class LinkLossAvoidance {
         Command with = null;
         String then = ".";
         if (climbed && mission) {
-            with = new Command.StartMission(MissionCloudLossPolicy.RETURN_TO_LAUNCH);
-            then = ", and it goes on with its mission; it returns home if it does not hear the cloud.";
+            // What it does without the cloud is its owner's choice, which the vehicle has kept.
+            with = new Command.StartMission(null);
+            then = ", and it goes on with its mission.";
         } else if (!climbed && before != null && before >= ChangeSpeed.SLOWEST) {
             with = new ChangeSpeed(before);
             then = ", and it goes on as fast as before.";

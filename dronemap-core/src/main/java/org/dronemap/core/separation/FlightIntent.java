@@ -36,6 +36,8 @@ public record FlightIntent(
         RISE,
         /** Flies its mission. */
         FLY,
+        /** Goes to the place that it was told to go to. */
+        GO,
         /** Stands in the air until something else is decided. */
         STAND,
         /** Stands, and flies its mission on as soon as that is clear. */

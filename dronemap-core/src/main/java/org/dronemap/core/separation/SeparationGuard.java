@@ -119,9 +119,15 @@ public final class SeparationGuard {
                     drone,
                     round.give(other, GiveWay.Manner.STOP, null),
                     0,
-                    new Command.PauseMission(),
+                    drone.isLed() ? comeToStand(drone) : new Command.PauseMission(),
                     drone.name() + " waits until " + other.name() + " has passed.");
         }
+    }
+
+    /** Who goes to a place that it was told flies no mission that could be paused: it goes only so far as it brakes. */
+    private Command comeToStand(TrackedDrone drone) {
+        Track way = SeparationRound.stopping(round.near(drone)).get(0);
+        return round.goTo(way.samples().get(way.samples().size() - 1));
     }
 
     /** One of the two gets out of the way, whose step is smaller. */
@@ -173,6 +179,9 @@ public final class SeparationGuard {
 
     private static boolean isOnMission(TrackedDrone drone) {
         FlightIntent.@Nullable Step step = drone.step();
+        if (step == FlightIntent.Step.GO) {
+            return drone.isLed();
+        }
         return drone.isOnMission()
                 && (step == null || step == FlightIntent.Step.FLY || step == FlightIntent.Step.GO_ON);
     }

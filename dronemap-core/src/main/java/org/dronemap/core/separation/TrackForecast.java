@@ -59,7 +59,8 @@ final class TrackForecast {
     private List<Track> meant(TrackedDrone drone, TrackSample here, FlightIntent intent) {
         boolean late = Duration.between(intent.since(), now).compareTo(UNTIL_OBEYED) > 0;
         return switch (intent.step()) {
-            case RISE, FLY -> drone.isOnMission() ? List.of(flying(drone, here)) : byItself(drone, here);
+            case RISE, FLY, GO ->
+                drone.isOnMission() || drone.isLed() ? List.of(flying(drone, here)) : byItself(drone, here);
             case GO_ON ->
                 late && drone.waits() ? List.of(mission(drone, here), standing(here)) : List.of(mission(drone, here));
             case STAND -> stands(drone, here, late);
@@ -227,7 +228,8 @@ final class TrackForecast {
 
     /** It comes to stand first, and goes there then. */
     Track aside(TrackedDrone drone, TrackSample from, TrackSample to) {
-        Track first = drone.isOnMission() ? flying(drone, from).stopping(STRIDES_TO_STAND) : standing(from);
+        Track first =
+                drone.isOnMission() || drone.isLed() ? flying(drone, from).stopping(STRIDES_TO_STAND) : standing(from);
         List<TrackSample> samples = new ArrayList<>(first.samples().subList(0, STRIDES_TO_STAND));
         TrackBuilder walk = new TrackBuilder(pace(drone), strides, samples.get(samples.size() - 1), 0, 0);
         walk.to(to);

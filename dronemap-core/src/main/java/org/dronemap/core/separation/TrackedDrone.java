@@ -107,7 +107,14 @@ public record TrackedDrone(
     /** It stands and goes where it is told to. */
     boolean waits() {
         Steering steering = steering();
-        return steering != null && steering.acceptsCommands();
+        return steering != null && steering.acceptsCommands() && !isLed();
+    }
+
+    /** It climbs, or goes to a place, since its operation told it to: it is in no mission, and does not stand either. */
+    boolean isLed() {
+        boolean told = step() == FlightIntent.Step.GO
+                || (step() == FlightIntent.Step.RISE && state.airborne() && !ahead().isEmpty());
+        return told && handling == Handling.COMMANDED && steering() == Steering.ORDERS;
     }
 
     /** It is heard, and stands in the air. */

@@ -39,12 +39,13 @@ public final class LinkQualityMeter {
             return false;
         }
         double seconds = (nowNanos - takenNanos) / 1e9;
-        shortLoss.add(now.received() - taken.received(), now.lost() - taken.lost(), seconds);
-        longLoss.add(now.received() - taken.received(), now.lost() - taken.lost(), seconds);
+        long received = now.received() - taken.received();
+        long lost = now.lost() - taken.lost();
+        shortLoss.add(received, lost, seconds);
+        longLoss.add(received, lost, seconds);
         if (roundTripMillis != null) {
             longRoundTrip.add(roundTripMillis, seconds);
         }
-        boolean heard = now.received() > taken.received();
         taken = now;
         takenNanos = nowNanos;
         LinkQuality before = quality;
@@ -56,7 +57,7 @@ public final class LinkQualityMeter {
                 longRoundTrip.mean(),
                 jitter.shortMillis(),
                 jitter.longMillis());
-        return !trend.sample(quality, heard, seconds).equals(trendBefore) || !quality.equals(before);
+        return !trend.sample(quality, received, lost, seconds).equals(trendBefore) || !quality.equals(before);
     }
 
     /** Where the quality goes, compared with how this link usually is. */

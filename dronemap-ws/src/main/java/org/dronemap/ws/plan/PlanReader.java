@@ -118,7 +118,7 @@ final class PlanReader {
 
     private List<DroneState> named(Principal principal, @Nullable List<@Nullable String> asked) {
         if (asked == null || asked.isEmpty()) {
-            throw InvalidInput.missing("drones", DRONES_FORM);
+            throw InvalidInput.missing("drones", DRONES_FORM + ", or upTo instead");
         }
         Set<String> each = new LinkedHashSet<>();
         for (String drone : asked) {

@@ -141,7 +141,8 @@ class DispatchFlightTest {
     @Test
     void oneThatAPilotTakesIsReplacedAndLeftToThePilot() {
         lends(near, second);
-        DispatchView sent = sends(ann, place());
+        // The way of the second one leads past the pilot's reach.
+        DispatchView sent = sends(ann, near.place(120, 25));
         awaits(ann, sent, "enRoute");
         near.switchedTo(LOITER);
 
@@ -253,7 +254,7 @@ class DispatchFlightTest {
         lends(near, second);
         Pilot bob = lab.pilot("bob", Role.OPERATOR);
         DispatchView first = sends(ann, place());
-        DispatchView other = sends(bob, near.place(40, -60));
+        DispatchView other = sends(bob, near.place(40, 120));
         assertThat(first.drone()).isEqualTo(id(near));
         assertThat(other.drone()).isEqualTo(id(second));
         Rejection none = catchThrowableOfType(Rejection.class, () -> sends(lab.pilot("cy", Role.OPERATOR), place()));

@@ -7,6 +7,10 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.core.mission.MissionItem;
+import org.dronemap.ws.follow.FollowRequest.PlaceRequest;
+import org.dronemap.ws.lab.CommandRequests;
 import org.dronemap.ws.lab.FadingLink;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.LabVehicleLink;
@@ -14,11 +18,16 @@ import org.dronemap.ws.lab.LabVehicleLink.Quality;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.MissionRunFlight;
 import org.dronemap.ws.lab.Pilot;
+import org.dronemap.ws.lab.SimulatedPhone;
 import org.dronemap.ws.lab.VehicleSpec;
 import org.dronemap.ws.lab.ZoneFixtures;
 import org.dronemap.ws.link.DtlsKeyService.DtlsKeyRequest;
+import org.dronemap.ws.mission.MissionItemRequest;
+import org.dronemap.ws.virtual.VirtualDroneRequest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** What is done before a link is lost that fades, and that nothing is done while a link is as it usually is. */
 class FadingLinkTest {
@@ -26,6 +35,7 @@ class FadingLinkTest {
     private static final long GUIDED = 4;
     private static final long RTL = 6;
     private static final int FADE_SECONDS = 60;
+    private static final int FIRST_SEED = 1_001;
     private static final Duration USUAL = Duration.ofSeconds(90);
     private static final Duration FLIGHT = Duration.ofMinutes(4);
     private static final List<Quality> NORMALS = List.of(
@@ -47,9 +57,10 @@ class FadingLinkTest {
         return told && drone.mode() != AUTO;
     }
 
+    /** Thresholds were chosen on other seeds. */
     private static int actedInTime(int seeds) {
         int acted = 0;
-        for (int seed = 1; seed <= seeds; seed++) {
+        for (int seed = FIRST_SEED; seed < FIRST_SEED + seeds; seed++) {
             try (Laboratory lab = new Laboratory(seed)) {
                 LabDrone drone = flies(lab);
                 FadingLink link = new FadingLink(lab, drone.wire(), NORMALS.get(seed % NORMALS.size()), seed);
@@ -65,17 +76,17 @@ class FadingLinkTest {
         return acted;
     }
 
+    /** Judged by each moment of the flight: an act that is over at its end was one too many. */
     private static void nothingIsDone(int seeds) {
-        for (int seed = 1; seed <= seeds; seed++) {
+        for (int seed = FIRST_SEED; seed < FIRST_SEED + seeds; seed++) {
             for (Quality normal : NORMALS) {
                 try (Laboratory lab = new Laboratory(seed)) {
                     LabDrone drone = flies(lab);
                     drone.wire().is(normal);
-                    lab.goOn(FLIGHT);
-                    assertThat(drone.isTold("Its link gets worse"))
-                            .as("seed %d, %s", seed, normal)
-                            .isFalse();
-                    assertThat(drone.mode()).isEqualTo(AUTO);
+                    lab.throughout(
+                            "nothing is done, seed " + seed + ", " + normal,
+                            FLIGHT,
+                            () -> drone.mode() == AUTO && !drone.isTold("Its link g"));
                 }
             }
         }
@@ -83,7 +94,7 @@ class FadingLinkTest {
 
     @Test
     void actsBeforeTheLinkIsLost() {
-        assertThat(actedInTime(10)).isGreaterThanOrEqualTo(10);
+        assertThat(actedInTime(10)).isEqualTo(10);
     }
 
     @Test
@@ -118,6 +129,31 @@ class FadingLinkTest {
             lab.until("it goes on", Duration.ofSeconds(90), () -> drone.mode() == AUTO);
             assertThat(drone.isTold("Its link is as usual again since it has climbed"))
                     .isTrue();
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"continue, 3", "rtl, 6"})
+    void doesWithoutTheCloudWhatItsOwnerChoseAfterItHasClimbedToo(String onCloudLoss, long mode) {
+        try (Laboratory lab = new Laboratory(1)) {
+            LabDrone drone = lab.copter();
+            lab.pilot("ann", Role.OPERATOR)
+                    .plans(drone, 30, drone.place(3_000, 0), drone.place(0, 0))
+                    .does(drone, CommandRequests.arm())
+                    .does(drone, CommandRequests.startMission(onCloudLoss));
+            FadingLink link = new FadingLink(lab, drone.wire(), Quality.GOOD, 1);
+            lab.goOn(USUAL);
+            assertThat(link.fades(FADE_SECONDS, () -> drone.isTold("It climbs")))
+                    .isTrue();
+            lab.until("it has risen", Duration.ofSeconds(30), () -> drone.mode() == GUIDED && drone.height() > 40);
+            link.recovers();
+            lab.until("it goes on", Duration.ofSeconds(90), () -> drone.mode() == AUTO);
+            lab.goOn(Duration.ofSeconds(5));
+
+            drone.wire().cut();
+            lab.goOn(Duration.ofSeconds(60));
+
+            assertThat(drone.mode()).isEqualTo(mode);
         }
     }
 
@@ -228,6 +264,68 @@ class FadingLinkTest {
             assertThat(run.end().waypoints())
                     .allMatch(waypoint -> waypoint.state().equals("visited"));
             assertThat(run.decidesTheSameAgain()).isTrue();
+        }
+    }
+
+    @Test
+    void anotherDroneFliesOnWithTheMissionOfAVirtualDrone() {
+        try (Laboratory lab = new Laboratory(1)) {
+            List<LabDrone> drones = lab.copters(2);
+            Pilot chief = lab.pilot("chief", Role.SUPERVISOR);
+            drones.forEach(one ->
+                    lab.server().warehouse().put(chief.principal(), one.id().value()));
+            Geodetic far = drones.get(0).place(1_200, 0);
+            String virtual = lab.server()
+                    .virtuals()
+                    .add(
+                            chief.principal(),
+                            new VirtualDroneRequest(
+                                    "Survey",
+                                    null,
+                                    MissionItemRequest.of(
+                                            List.of(new MissionItem.Waypoint(far, Altitude.aboveHome(30), 0)))))
+                    .id();
+            lab.server().virtuals().start(chief.principal(), virtual, null);
+            lab.until("it flies", Duration.ofMinutes(2), () -> drones.stream().anyMatch(one -> one.mode() == AUTO));
+            LabDrone first = drones.stream()
+                    .filter(one -> one.mode() == AUTO)
+                    .findFirst()
+                    .orElseThrow();
+            LabDrone other = drones.get(1 - drones.indexOf(first));
+            FadingLink link = new FadingLink(lab, first.wire(), Quality.GOOD, 1);
+            lab.goOn(Duration.ofSeconds(30));
+
+            assertThat(link.fades(FADE_SECONDS, () -> !first.isLost() && first.mode() == RTL))
+                    .isTrue();
+
+            lab.until("another one comes to the place", Duration.ofMinutes(8), () -> other.distanceTo(far) < 5);
+            assertThat(first.distanceTo(far)).isGreaterThan(200);
+        }
+    }
+
+    @Test
+    void aDroneThatFollowsFliesHomeAndAnotherOneComes() {
+        try (Laboratory lab = new Laboratory(1)) {
+            List<LabDrone> drones = lab.copters(2);
+            Pilot chief = lab.pilot("chief", Role.SUPERVISOR);
+            drones.forEach(one ->
+                    lab.server().warehouse().put(chief.principal(), one.id().value()));
+            LabDrone first = drones.get(0);
+            SimulatedPhone phone = lab.phone(lab.pilot("ann", Role.OPERATOR), first, 150, 0);
+            phone.asks(first, new PlaceRequest("fixed", 180.0, null, 10.0, 15.0), 60)
+                    .starts();
+            phone.awaits("tracking", Duration.ofMinutes(2));
+            FadingLink link = new FadingLink(lab, first.wire(), Quality.GOOD, 1);
+            lab.goOn(Duration.ofSeconds(60));
+
+            assertThat(link.fades(FADE_SECONDS, () -> !first.isLost() && first.mode() == RTL))
+                    .isTrue();
+            assertThat(phone.wasTold("flies home before its link is lost")).isTrue();
+
+            link.recovers();
+            LabDrone other = drones.get(1);
+            lab.until("another one has come", Duration.ofMinutes(3), () -> other.distanceTo(phone.place()) < 15);
+            lab.until("the first one is down at home", Duration.ofMinutes(3), () -> first.isDown() && first.away() < 3);
         }
     }
 }

@@ -19,6 +19,7 @@ import org.dronemap.ws.follow.FollowView;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.LinkTraffic;
+import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.lab.SimulatedPhone;
 import org.dronemap.ws.lab.VehicleSpec;
 import org.dronemap.ws.problem.Rejection;
@@ -220,5 +221,49 @@ class FollowFlightTest {
             }
         }
         return true;
+    }
+
+    @Test
+    void aTakeOffThatAnotherDroneBlocksWaitsAndThenGoes() {
+        List<LabDrone> copters = lab.copters(2);
+        LabDrone follows = copters.get(0);
+        LabDrone above = copters.get(1);
+        Pilot bob = lab.pilot("bob", Role.OPERATOR);
+        bob.takesOff(above, 15).fliesTo(above, follows.place(0, 0), 15);
+        lab.until("it hovers above the other", Duration.ofMinutes(1), () -> above.distanceTo(follows.where()) < 2);
+        lab.goOn(Duration.ofSeconds(10));
+
+        SimulatedPhone phone = lab.phone(lab.pilot("ann", Role.OPERATOR), follows, -40, -40);
+        phone.asks(follows, south(5, 10), 60).starts();
+        lab.throughout("it stays on the ground", Duration.ofSeconds(15), follows::isDown);
+        assertThat(phone.view().note()).contains("waits on the ground until another drone has passed.");
+
+        bob.fliesTo(above, follows.place(0, 300), 15);
+        phone.awaits("tracking", Duration.ofMinutes(1));
+        assertThat(above.distanceTo(follows.where())).isGreaterThan(10);
+    }
+
+    @Test
+    void itsWayHomeWaitsForOneThatIsInIt() {
+        List<LabDrone> copters = lab.copters(2);
+        LabDrone follows = copters.get(0);
+        LabDrone other = copters.get(1);
+        SimulatedPhone phone = lab.phone(lab.pilot("ann", Role.OPERATOR), follows, 120, 0);
+        phone.asks(follows, south(5, 15), 60).starts();
+        phone.awaits("tracking", Duration.ofMinutes(1));
+        lab.until("it has come", Duration.ofMinutes(1), () -> follows.distanceTo(phone.place()) < 15);
+        Pilot bob = lab.pilot("bob", Role.OPERATOR);
+        bob.takesOff(other, 15).fliesTo(other, follows.place(50, 0), 15);
+        lab.until("one hovers in its way", Duration.ofMinutes(1), () -> other.distanceTo(follows.place(50, 0)) < 2);
+        lab.goOn(Duration.ofSeconds(8));
+
+        phone.stops();
+        lab.throughout(
+                "they stay apart",
+                Duration.ofSeconds(40),
+                () -> follows.distanceTo(other.where()) > 10 || Math.abs(follows.height() - other.height()) > 5);
+        bob.fliesTo(other, follows.place(0, 300), 15);
+        phone.awaits("over", Duration.ofMinutes(3));
+        assertThat(follows.away()).isLessThan(3);
     }
 }

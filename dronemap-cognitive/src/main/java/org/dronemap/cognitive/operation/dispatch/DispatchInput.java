@@ -7,6 +7,7 @@ import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.operation.ChosenDrone;
+import org.dronemap.core.separation.GiveWay;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
@@ -26,9 +27,36 @@ public sealed interface DispatchInput {
         }
     }
 
-    /** Observation of one drone: its control, flight mode and place. */
-    @Stored(names = "drone control flight place")
-    record Look(DroneId drone, Control control, Flight flight, Place place) {}
+    /**
+     * Observation of one drone: its control, flight mode and place.
+     *
+     * @param giveWay to whom it gives way; null: to nobody
+     * @param fallingLink why its link is expected to be lost soon, as a sentence; null: it is not
+     */
+    @Stored(names = "drone control flight place giveWay fallingLink", later = "giveWay fallingLink")
+    record Look(
+            DroneId drone,
+            Control control,
+            Flight flight,
+            Place place,
+            @Nullable GiveWay giveWay,
+            @Nullable String fallingLink) {
+        /** What it does for another drone now, as a sentence; null: nothing. */
+        @Nullable
+        String aside(String name) {
+            if (giveWay == null || !standsAside()) {
+                return null;
+            }
+            return giveWay.words() == null
+                    ? name + " waits until " + giveWay.toName() + " has passed."
+                    : name + " " + giveWay.words() + ", to make room for " + giveWay.toName() + ".";
+        }
+
+        /** It was told to stand, or to step aside, and may not go on yet. */
+        boolean standsAside() {
+            return giveWay != null && giveWay.manner() != GiveWay.Manner.WAIT && !giveWay.clear();
+        }
+    }
 
     /**
      * Control of the drone as the dispatch sees it.

@@ -106,6 +106,11 @@ public record DispatchLeg(
         return new DispatchLeg(chosen, number, issued, attempts, going, why);
     }
 
+    /** It stands for another one, and is told anew where to go. */
+    DispatchLeg standing() {
+        return new DispatchLeg(chosen, number, issued, attempts, false, failure);
+    }
+
     /** Nothing of what it was told counts any more: it goes home, or is told anew where to go. */
     DispatchLeg anew() {
         return new DispatchLeg(chosen, number, null, new Attempts(attempts.given(), 0, null, null), false, null);

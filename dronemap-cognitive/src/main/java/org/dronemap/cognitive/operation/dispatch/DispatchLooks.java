@@ -24,7 +24,9 @@ final class DispatchLooks {
                 new DispatchInput.Control(
                         control.whyNotHeld(), control.whyNotAllowed(), control.owned(), control.free()),
                 flight(drone),
-                place(dispatch.order().place(), leg, seen));
+                place(dispatch.order().place(), leg, seen),
+                seen.giveWay(),
+                drone.link().trend().isFalling() ? drone.link().trend().words() : null);
     }
 
     private static DispatchInput.Flight flight(DroneState drone) {

@@ -5,6 +5,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -19,6 +20,7 @@ import org.dronemap.core.operation.Operation;
 import org.dronemap.core.operation.OperationAction;
 import org.dronemap.core.operation.OperationDecision;
 import org.dronemap.core.operation.OperationObservation;
+import org.dronemap.core.separation.FlightIntent;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -55,6 +57,11 @@ public final class DispatchOperation implements Operation<DispatchState, Dispatc
         }
         state.returning().forEach(leg -> drones.add(leg.drone()));
         return drones;
+    }
+
+    @Override
+    public Map<DroneId, FlightIntent> intents(DispatchState state, Instant now) {
+        return DispatchIntents.of(state);
     }
 
     @Override

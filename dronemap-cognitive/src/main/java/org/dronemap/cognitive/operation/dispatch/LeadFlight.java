@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.dronemap.cognitive.operation.CopterEndurance;
 import org.dronemap.cognitive.operation.dispatch.DispatchInput.Look;
 import org.dronemap.core.operation.OperationAction;
+import org.jspecify.annotations.Nullable;
 
 /** Decides what the drone of a dispatch does next on its way there, and when another one has to come in its place. */
 final class LeadFlight {
@@ -76,6 +77,10 @@ final class LeadFlight {
         if (look.place().silentSeconds() > 0) {
             return Optional.of(state.noted("There is no contact with " + lead.name() + "."));
         }
+        if (look.fallingLink() != null && look.flight().airborne() && state.stage() != DispatchStage.ARRIVED) {
+            return Optional.of(
+                    replaced(lead.name() + " flies home before its link is lost. " + look.fallingLink(), true));
+        }
         if (lead.failure() != null) {
             return Optional.of(replaced(lead.failure(), true));
         }
@@ -105,7 +110,10 @@ final class LeadFlight {
 
     private DispatchState onTheWay() {
         if (isLate()) {
-            return replaced(lead.name() + " takes much longer than it should.", true);
+            String why = look.giveWay() == null
+                    ? " takes much longer than it should."
+                    : " cannot come: " + look.giveWay().toName() + " does not leave its way.";
+            return replaced(lead.name() + why, true);
         }
         LegCommands commands = new LegCommands(state, lead);
         DispatchState next = switch (state.stage()) {
@@ -146,7 +154,7 @@ final class LeadFlight {
             return replaced(lead.name() + " has no mode in which it can be led.", true);
         }
         if (!commands.isUp(look)) {
-            return start(commands, state);
+            return start(commands, state.noted(waitsOnTheGround()));
         }
         commands.go(at);
         return state.to(DispatchStage.EN_ROUTE, at, lead.name() + " is in the air and comes.")
@@ -166,8 +174,17 @@ final class LeadFlight {
             actions.add(new OperationAction.HandOver<>(lead.drone()));
             return state.to(DispatchStage.ARRIVED, at, lead.name() + " is there.");
         }
+        if (look.standsAside()) {
+            return state.noted(look.aside(lead.name())).withLead(lead.standing());
+        }
         commands.go(at);
         return state.noted(null).withLead(commands.leg());
+    }
+
+    private @Nullable String waitsOnTheGround() {
+        return look.giveWay() == null || look.flight().armed()
+                ? null
+                : lead.name() + " waits on the ground until " + look.giveWay().toName() + " has passed.";
     }
 
     /** It comes home since it had not heard the cloud for a while. */

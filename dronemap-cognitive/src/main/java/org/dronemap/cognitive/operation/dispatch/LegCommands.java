@@ -1,5 +1,6 @@
 package org.dronemap.cognitive.operation.dispatch;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
@@ -18,7 +19,11 @@ final class LegCommands {
     /** So little below its height a drone counts as up. */
     private static final double RISEN_METERS = 3;
 
+    /** By then it was seen whether another drone is in the way of its take-off. */
+    private static final Duration UNTIL_LOOKED = Duration.ofSeconds(1);
+
     private final OperationId dispatch;
+    private final Instant startingSince;
     private final DispatchOrder order;
     private final List<OperationAction<DispatchInput>> actions = new ArrayList<>();
     private DispatchLeg leg;
@@ -26,6 +31,7 @@ final class LegCommands {
     LegCommands(DispatchState state, DispatchLeg leg) {
         this.dispatch = state.id();
         this.order = state.order();
+        this.startingSince = state.since();
         this.leg = leg;
     }
 
@@ -57,7 +63,9 @@ final class LegCommands {
         } else if (!look.flight().guided() && look.flight().orders() != null) {
             send(Purpose.MODE, new Command.SetMode(look.flight().orders()));
         } else if (!look.flight().armed()) {
-            send(Purpose.ARM, new Command.Arm());
+            if (look.giveWay() == null && !at.isBefore(startingSince.plus(UNTIL_LOOKED))) {
+                send(Purpose.ARM, new Command.Arm());
+            }
         } else if (!look.flight().airborne()) {
             send(Purpose.TAKE_OFF, new Command.TakeOff(order.heightMeters()));
         }
@@ -72,7 +80,7 @@ final class LegCommands {
 
     /** Home, until it is down with its motors off. */
     void home(Look look, Instant at) {
-        if (isBusy(at)) {
+        if (isBusy(at) || look.standsAside()) {
             return;
         }
         if (!look.flight().airborne()) {

@@ -28,6 +28,8 @@ final class ReturningLegs {
             if (look.place().silentSeconds() == 0) {
                 commands.home(look, seen.at());
             }
+            String aside = look.aside(leg.name());
+            next = aside == null ? next : next.noted(aside);
             actions.addAll(commands.actions());
             left.add(commands.leg());
         }

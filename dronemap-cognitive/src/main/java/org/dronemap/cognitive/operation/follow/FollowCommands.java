@@ -19,6 +19,8 @@ final class FollowCommands {
 
     private static final Duration PAUSE = Duration.ofSeconds(3);
     private static final int MOST_TRIES = 3;
+    /** By then it was seen whether another drone is in the way of its take-off. */
+    private static final Duration UNTIL_LOOKED = Duration.ofSeconds(1);
 
     private FollowState state;
     private final List<OperationAction<FollowInput>> actions = new ArrayList<>();
@@ -44,8 +46,13 @@ final class FollowCommands {
             send(IssuedCommand.Purpose.CLOUD_LOSS, new SetReturnOnCloudLoss());
         } else if (!look.guided()) {
             switchToGuided(look, at);
+        } else if (look.waitsOnTheGround()) {
+            state = state.noted(state.order().chosen().name() + " waits on the ground until another drone has passed.");
         } else if (!look.armed()) {
-            send(IssuedCommand.Purpose.ARM, new Command.Arm());
+            if (!at.isBefore(state.since().plus(UNTIL_LOOKED))) {
+                state = state.noted(null);
+                send(IssuedCommand.Purpose.ARM, new Command.Arm());
+            }
         } else if (!look.airborne()) {
             send(
                     IssuedCommand.Purpose.TAKE_OFF,
@@ -72,7 +79,7 @@ final class FollowCommands {
     void home(Observation look, Instant at) {
         if (!look.armed()) {
             state = state.to(FollowStage.OVER, at, state.order().chosen().name() + " is down" + IT_IS_OVER);
-        } else if (!isBusy(at)) {
+        } else if (!isBusy(at) && !look.standsAside()) {
             if (!look.airborne()) {
                 send(IssuedCommand.Purpose.DISARM, new Command.Disarm(false));
             } else if (!look.homing()) {

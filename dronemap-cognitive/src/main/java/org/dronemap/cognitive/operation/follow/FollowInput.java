@@ -7,6 +7,7 @@ import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.operation.ChosenDrone;
 import org.dronemap.core.operation.ReporterState;
+import org.dronemap.core.separation.GiveWay;
 import org.dronemap.core.stored.Stored;
 import org.jspecify.annotations.Nullable;
 
@@ -80,11 +81,12 @@ public sealed interface FollowInput {
      * @param restriction null: nothing of that
      * @param modes null: written before anybody asked for them
      * @param fallingLink why its link is expected to be lost soon, as a sentence; null: it is not
+     * @param giveWay to whom it gives way where it is not led; null: to nobody
      */
     @Stored(
             names = "takenBy silentSeconds armed airborne guided homing mode batteryPercent homeMeters grip modes "
-                    + "fallingLink",
-            later = "modes fallingLink")
+                    + "fallingLink giveWay",
+            later = "modes fallingLink giveWay")
     record Observation(
             @Nullable String whyNotHeld,
             int silentSeconds,
@@ -97,8 +99,9 @@ public sealed interface FollowInput {
             @Nullable Double homeMeters,
             @Nullable ControlRestriction restriction,
             @Nullable ModeMeaning modes,
-            @Nullable String fallingLink) {
-        /** Its link is not expected to be lost. */
+            @Nullable String fallingLink,
+            @Nullable GiveWay giveWay) {
+        /** Its link is not expected to be lost, and nobody is in its way. */
         public Observation(
                 @Nullable String whyNotHeld,
                 int silentSeconds,
@@ -123,7 +126,18 @@ public sealed interface FollowInput {
                     homeMeters,
                     restriction,
                     modes,
+                    null,
                     null);
+        }
+
+        /** Before it rises, another drone has to pass. */
+        boolean waitsOnTheGround() {
+            return giveWay != null && !armed;
+        }
+
+        /** It was told to stand, or to step aside, and may not go on yet. */
+        boolean standsAside() {
+            return giveWay != null && giveWay.manner() != GiveWay.Manner.WAIT && !giveWay.clear();
         }
 
         /** The same, with what its modes are for. */
@@ -140,7 +154,8 @@ public sealed interface FollowInput {
                     homeMeters,
                     restriction,
                     told,
-                    fallingLink);
+                    fallingLink,
+                    giveWay);
         }
     }
 

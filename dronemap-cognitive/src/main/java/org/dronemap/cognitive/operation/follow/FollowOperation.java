@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -29,6 +30,7 @@ import org.dronemap.core.operation.OperationDecision;
 import org.dronemap.core.operation.OperationGuidance;
 import org.dronemap.core.operation.OperationObservation;
 import org.dronemap.core.operation.ReporterState;
+import org.dronemap.core.separation.FlightIntent;
 import org.dronemap.core.separation.Separation;
 import org.jspecify.annotations.Nullable;
 
@@ -77,6 +79,11 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
     }
 
     @Override
+    public Map<DroneId, FlightIntent> intents(FollowState state, Instant now) {
+        return FollowIntents.of(state, now);
+    }
+
+    @Override
     public boolean isOver(FollowState state) {
         return state.isOver();
     }
@@ -114,20 +121,19 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
     }
 
     private static @Nullable Observation look(FollowState state, OperationObservation scene) {
-        return scene.of(state.drone())
-                .map(seen -> look(state, seen.state(), seen.control(), seen.silence()))
-                .orElse(null);
+        return scene.of(state.drone()).map(seen -> look(state, seen)).orElse(null);
     }
 
-    private static Observation look(
-            FollowState state, DroneState drone, OperationObservation.ControlStatus sway, Duration silence) {
+    private static Observation look(FollowState state, OperationObservation.ObservedDrone seen) {
+        DroneState drone = seen.state();
+        OperationObservation.ControlStatus sway = seen.control();
         Battery battery = drone.battery();
         Geodetic point = drone.position() == null ? null : drone.position().point();
         Steering steering =
                 drone.mode() == null ? null : drone.capabilities().steering().get(drone.mode());
         return new Observation(
                 sway.whyNotHeld(),
-                FollowControlCheck.silentSeconds(drone, silence),
+                FollowControlCheck.silentSeconds(drone, seen.silence()),
                 Boolean.TRUE.equals(drone.armed()),
                 drone.airborne(),
                 steering == Steering.ORDERS,
@@ -140,7 +146,8 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
                 FollowControlCheck.of(drone, sway, steering),
                 new FollowInput.ModeMeaning(
                         drone.capabilities().mode(Steering.ORDERS).orElse(null), steering == Steering.HOME),
-                drone.link().trend().isFalling() ? drone.link().trend().words() : null);
+                drone.link().trend().isFalling() ? drone.link().trend().words() : null,
+                seen.giveWay());
     }
 
     @Override

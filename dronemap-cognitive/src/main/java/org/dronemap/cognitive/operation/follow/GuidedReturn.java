@@ -13,6 +13,11 @@ final class GuidedReturn {
 
     private GuidedReturn() {}
 
+    /** Whether it may be led still, whatever is seen of it. */
+    static boolean mayBeSteered(FollowState one, Instant at) {
+        return one.stage() == FollowStage.RETURNING && at.isBefore(one.since().plus(LONGEST));
+    }
+
     /**
      * Whether it is to be led, and not told to come home by itself yet.
      *

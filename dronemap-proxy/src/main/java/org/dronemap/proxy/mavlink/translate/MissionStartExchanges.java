@@ -13,6 +13,7 @@ import org.dronemap.proxy.mavlink.procedure.ExchangeSequence;
 import org.dronemap.proxy.mavlink.procedure.MavCommandRequest;
 import org.dronemap.proxy.mavlink.procedure.ParameterUpdateExchange;
 import org.dronemap.proxy.mavlink.procedure.SetCurrentItemExchange;
+import org.jspecify.annotations.Nullable;
 
 /** Makes the exchanges that start or resume the mission on an ArduPilot vehicle. */
 final class MissionStartExchanges {
@@ -61,7 +62,10 @@ final class MissionStartExchanges {
      * remote control as well.
      */
     private static List<ExchangeSequence.Step> cloudLoss(
-            CommandContext cockpit, MissionCloudLossPolicy onCloudLoss, VehicleKind kind) {
+            CommandContext cockpit, @Nullable MissionCloudLossPolicy onCloudLoss, VehicleKind kind) {
+        if (onCloudLoss == null) {
+            return List.of();
+        }
         boolean goOn = onCloudLoss == MissionCloudLossPolicy.CONTINUE;
         return switch (kind) {
             case MULTICOPTER, HELICOPTER ->

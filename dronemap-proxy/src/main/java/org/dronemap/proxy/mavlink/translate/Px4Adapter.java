@@ -330,14 +330,16 @@ final class Px4Adapter implements AutopilotAdapter {
     }
 
     private Exchange start(CommandContext cockpit, Command.StartMission start) {
-        boolean goOn = start.onCloudLoss() == MissionCloudLossPolicy.CONTINUE;
         List<ExchangeSequence.Step> steps = new ArrayList<>();
-        steps.add(BasicExchanges.setParameterStep(
-                cockpit,
-                new ParameterUpdateExchange.Wanted(
-                        "COM_DLL_EXCEPT",
-                        old -> goOn ? old | COM_DLL_EXCEPT_MISSION : old & ~COM_DLL_EXCEPT_MISSION,
-                        true)));
+        if (start.onCloudLoss() != null) {
+            boolean goOn = start.onCloudLoss() == MissionCloudLossPolicy.CONTINUE;
+            steps.add(BasicExchanges.setParameterStep(
+                    cockpit,
+                    new ParameterUpdateExchange.Wanted(
+                            "COM_DLL_EXCEPT",
+                            old -> goOn ? old | COM_DLL_EXCEPT_MISSION : old & ~COM_DLL_EXCEPT_MISSION,
+                            true)));
+        }
         VehicleStatus status = cockpit.status();
         boolean fromGround = !status.airborne() && !kind.neverFlies();
         boolean resumes = status.resumesMission(0);

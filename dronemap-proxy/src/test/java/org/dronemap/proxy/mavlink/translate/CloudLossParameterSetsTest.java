@@ -264,4 +264,22 @@ class CloudLossParameterSetsTest extends CloudLossTestBench {
         assertThat(written()).containsExactly("FS_OPTIONS");
         assertThat(held).containsEntry("FS_OPTIONS", 3.0);
     }
+
+    @Test
+    void leavesWhatWasChosenForMissionsWhereTheStartSaysNothingOfIt() {
+        isACopter();
+
+        bench().perform(new Command.StartMission(null), 3);
+
+        assertThat(written()).isEmpty();
+    }
+
+    @Test
+    void leavesWhatWasChosenForMissionsOfPx4Too() {
+        isPx4();
+
+        bench().perform(new Command.StartMission(null), 3);
+
+        assertThat(written()).isEmpty();
+    }
 }
