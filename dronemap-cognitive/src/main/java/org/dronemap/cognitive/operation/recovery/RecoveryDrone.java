@@ -24,4 +24,9 @@ public record RecoveryDrone(
     boolean isOverHome() {
         return Geodesy.distanceMeters(place, home.point()) < OVER_HOME_METERS;
     }
+
+    /** It stands above its home already, as high as it flies home. */
+    boolean isStraightDown(double layerMeters) {
+        return isOverHome() && Math.abs(layerMeters - heightMeters) < 1;
+    }
 }
