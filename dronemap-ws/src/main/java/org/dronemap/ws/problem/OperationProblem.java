@@ -87,7 +87,7 @@ public enum OperationProblem implements ProblemCode {
                     "recovery-does-not-fit",
                     RejectionKind.CONFLICT,
                     "The drones cannot all come down apart from each other; most says how many have room.",
-                    "5 of 9 drones fit between 20 m and the ceiling of 120 m above their homes, 5.5 m above each other.")
+                    "5 of 9 drones fit between 20 m and the ceiling of 120 m above their homes, 6.0 m above each other.")
             .with(ProblemParameter.DRONES, ProblemParameter.MOST));
 
     @SuppressWarnings("ImmutableEnumChecker") // its lists never change

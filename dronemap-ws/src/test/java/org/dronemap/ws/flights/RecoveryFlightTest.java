@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import java.time.Duration;
 import java.util.List;
 import java.util.Objects;
+import java.util.stream.IntStream;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.sim.physics.NeuPosition;
@@ -38,21 +39,21 @@ class RecoveryFlightTest {
 
     /** In a row, as near to each other as on a field; each flies to a place at its height. */
     private List<LabDrone> inTheAir(int count) {
-        List<LabDrone> drones = java.util.stream.IntStream.range(0, count)
+        List<LabDrone> drones = IntStream.range(0, count)
                 .mapToObj(i ->
                         lab.add(VehicleSpec.COPTER, LabDrone.FIELD.shifted(new NeuPosition(0, i * PADS_METERS, 0))))
                 .toList();
         drones.forEach(lab::ready);
         for (int i = 0; i < count; i++) {
-            LabDrone drone = drones.get(i);
-            ann.takesOff(drone, HEIGHT + i);
-            ann.fliesTo(drone, place(drones, count - 1 - i), HEIGHT + i);
-            lab.goOn(Duration.ofSeconds(6));
+            ann.takesOff(drones.get(i), HEIGHT + i);
+        }
+        for (int i = 0; i < count; i++) {
+            ann.fliesTo(drones.get(i), place(drones, count - 1 - i), HEIGHT + i);
         }
         lab.until(
                 "all are there",
                 Duration.ofMinutes(2),
-                () -> java.util.stream.IntStream.range(0, count)
+                () -> IntStream.range(0, count)
                         .allMatch(i -> drones.get(i).distanceTo(place(drones, count - 1 - i)) < 3));
         return drones;
     }
@@ -101,7 +102,7 @@ class RecoveryFlightTest {
                 .sorted()
                 .toArray();
         for (int i = 1; i < heights.length; i++) {
-            assertThat(heights[i] - heights[i - 1]).isGreaterThanOrEqualTo(5.4);
+            assertThat(heights[i] - heights[i - 1]).isGreaterThanOrEqualTo(5.9);
         }
 
         RecoveryView begun = begins(all("return"));
@@ -114,9 +115,12 @@ class RecoveryFlightTest {
         assertThat(drones).allMatch(drone -> drone.isDown() && drone.away() < 3);
         assertThat(apart.least()).as(apart.words()).isGreaterThan(1);
         // What their owners had set is there again.
-        for (LabDrone drone : drones) {
-            assertThat(drone.vehicle().autopilot().parameters().get("RTL_ALT")).isEqualTo(1_500);
-        }
+        lab.until(
+                "their return heights are put back",
+                Duration.ofMinutes(1),
+                () -> drones.stream()
+                        .allMatch(drone ->
+                                drone.vehicle().autopilot().parameters().value("RTL_ALT") == 1_500));
         assertThat(ann.control(drones.get(0)).state()).isEqualTo("free");
     }
 
@@ -263,16 +267,24 @@ class RecoveryFlightTest {
         List<LabDrone> drones = inTheAir(3);
         Pilot bob = lab.pilot("bob", Role.OPERATOR);
         Pilot chief = lab.pilot("chief", Role.SUPERVISOR);
-        RecoveryRequest plain = new RecoveryRequest("return", null, null, null, true);
-        RecoveryPreview of = lab.server().recoveries().preview(bob.principal(), all("return"));
-        assertThat(of.drones()).isEmpty();
-        assertThat(chief.principal().name()).isEqualTo("chief");
-        assertThat(plain.takeOver()).isTrue();
-        assertThat(drones).hasSize(3);
+        RecoveryRequest taking = new RecoveryRequest("return", null, null, null, true);
+        ann.takesControl(drones.get(0));
+        Rejection none = catchThrowableOfType(
+                Rejection.class, () -> lab.server().recoveries().preview(bob.principal(), taking));
+        assertThat(none.sentence()).contains("ann has had control of it since");
+        assertThat(none.code().word()).isEqualTo("no-drone-to-recover");
+
+        RecoveryPreview of = lab.server().recoveries().preview(chief.principal(), taking);
+        assertThat(of.drones()).hasSize(3);
+        RecoveryView begun = lab.server().recoveries().begin(chief.principal(), taking);
+        assertThat(ann.control(drones.get(0)).holder()).contains("The recovery");
+        RecoveryView over = awaitsEnd(begun, new Separation(drones));
+        assertThat(over.owner()).isEqualTo("chief");
+        assertThat(over.end()).isEqualTo("All are down.");
     }
 
     @Test
-    void aRunOfTheAskerEndsWhenItsDronesAreTakenOver() {
+    void anEarlierRecoveryOfTheAskerEndsWhenItsDronesAreTakenOver() {
         List<LabDrone> drones = inTheAir(2);
         RecoveryView first = begins(all("return"));
         Rejection none = catchThrowableOfType(Rejection.class, () -> begins(all("return")));

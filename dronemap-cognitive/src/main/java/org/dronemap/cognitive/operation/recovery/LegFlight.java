@@ -17,7 +17,10 @@ final class LegFlight {
     /** Who was silent for so long flies no more; if it does, it is brought home as nobody's when it is heard. */
     static final int LONGEST_SILENT_SECONDS = 600;
 
-    private static final double AT_HEIGHT_METERS = 1.5;
+    private static final double AT_HEIGHT_METERS = 0.4;
+    /** One that stands is there, though its height wanders. */
+    private static final double NEAR_HEIGHT_METERS = 1.5;
+
     private static final double OVER_HOME_METERS = 3;
     /** Below this above its home one that comes down by itself is not stopped any more. */
     private static final double LOW_METERS = 8;
@@ -184,15 +187,25 @@ final class LegFlight {
         if (leg.sent() != Purpose.GO_TO || slot == null || leg.issued() != null) {
             return leg;
         }
-        if (leg.step() == RecoveryStep.LEVELLING && isAt(slot.layerMeters())) {
+        if (leg.step() == RecoveryStep.LEVELLING && hasCome(slot.layerMeters())) {
             return leg.at(RecoveryStep.LEVEL, null);
         }
-        return leg.step() == RecoveryStep.UNDER_WAY && over ? leg.at(RecoveryStep.OVER_HOME, null) : leg;
+        return leg.step() == RecoveryStep.UNDER_WAY && over && look.flight().stands()
+                ? leg.at(RecoveryStep.OVER_HOME, null)
+                : leg;
     }
 
     private boolean isAt(double meters) {
+        return isWithin(meters, AT_HEIGHT_METERS);
+    }
+
+    private boolean hasCome(double meters) {
+        return look.flight().stands() && isWithin(meters, NEAR_HEIGHT_METERS);
+    }
+
+    private boolean isWithin(double meters, double by) {
         Double height = look.place().heightMeters();
-        return height != null && Math.abs(height - meters) < AT_HEIGHT_METERS;
+        return height != null && Math.abs(height - meters) < by;
     }
 
     private RecoveryLeg move(RecoverySlot slot) {

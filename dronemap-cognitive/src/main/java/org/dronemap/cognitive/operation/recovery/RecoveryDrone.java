@@ -27,6 +27,6 @@ public record RecoveryDrone(
 
     /** It stands above its home already, as high as it flies home. */
     boolean isStraightDown(double layerMeters) {
-        return isOverHome() && Math.abs(layerMeters - heightMeters) < 1;
+        return isOverHome() && Math.abs(layerMeters - heightMeters) < 0.5;
     }
 }

@@ -13,8 +13,8 @@ import org.dronemap.core.operation.OperationObservation.ObservedDrone;
 
 /** Reduces what is known of a drone to what matters to a recovery. */
 final class RecoveryLooks {
-    /** m/s: slower it stands. */
-    private static final double STANDS_SPEED = 0.5;
+    /** m/s: slower it stands, for those who keep drones apart as well. */
+    private static final double STANDS_SPEED = 0.7;
 
     private RecoveryLooks() {}
 

@@ -22,7 +22,7 @@ public record RecoveryOrder(RecoveryManner manner, double lowestMeters, double c
     /** Drones stand and fly not quite where they are wanted, and the guard in flight keeps a little more than is asked for. */
     private static final double ROOM_BESIDE_METERS = 3;
 
-    private static final double ROOM_ABOVE_METERS = 0.5;
+    private static final double ROOM_ABOVE_METERS = 1;
 
     /** {@code least}: what is kept between any two drones. */
     public static RecoveryOrder of(RecoveryManner manner, double lowestMeters, double ceilingMeters, Separation least) {
