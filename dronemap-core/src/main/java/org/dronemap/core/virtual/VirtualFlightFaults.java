@@ -42,6 +42,9 @@ final class VirtualFlightFaults {
                 ? 0
                 : run.tour().waypoints().get(run.flown() - 1).holdSeconds();
         Duration longest = LONGEST_STILL.plusSeconds(Math.round(next.holdSeconds() + waited));
-        return sight.still().compareTo(down ? LONGEST_STILL_ON_THE_GROUND : longest) > 0;
+        // It may have stood there so that another one could pass.
+        Duration sent = Duration.between(run.changedAt(), sight.now());
+        Duration still = sent.compareTo(sight.still()) < 0 ? sent : sight.still();
+        return still.compareTo(down ? LONGEST_STILL_ON_THE_GROUND : longest) > 0;
     }
 }

@@ -20,6 +20,7 @@ class VirtualGivingWayTest {
     private VirtualRun run = VirtualFixtures.bound(3, "d1");
     private Instant now = VirtualFixtures.NOW;
     private @Nullable GiveWay giveWay;
+    private Duration still = Duration.ZERO;
 
     private static GiveWay give(GiveWay.Manner manner, boolean clear) {
         return new GiveWay(new DroneId("d9"), "Copter d9", manner, VirtualFixtures.NOW, clear, null);
@@ -29,7 +30,7 @@ class VirtualGivingWayTest {
         VirtualRunStep step = machine.next(
                 run,
                 new VirtualRunObservation(
-                        drone.state(), null, outcome, false, Duration.ZERO, Duration.ZERO, true, giveWay, now));
+                        drone.state(), null, outcome, false, Duration.ZERO, still, true, giveWay, now));
         run = step.send() == null ? step.run() : step.run().given(new CommandId("command-1"), now);
         return step.send();
     }
@@ -87,5 +88,26 @@ class VirtualGivingWayTest {
         giveWay = null;
         step(new Outcome.Succeeded());
         assertThat(run.note()).isEqualTo("The drone flies the mission.");
+    }
+
+    /** It stood for as long as it had to. */
+    @Test
+    void isNotStuckWhenItGoesOnAfterALongWait() {
+        fly();
+        drone.mode = "GUIDED";
+        giveWay = give(GiveWay.Manner.STOP, false);
+        step(null);
+        now = now.plusSeconds(100);
+        still = Duration.ofSeconds(100);
+        drone.mode = "AUTO";
+        giveWay = null;
+        step(new Outcome.Succeeded());
+        step(null);
+        assertThat(run.stage()).isEqualTo(VirtualRunStage.FLYING);
+
+        now = now.plusSeconds(31);
+        still = Duration.ofSeconds(131);
+        step(null);
+        assertThat(run.stage()).isEqualTo(VirtualRunStage.GIVING_UP);
     }
 }

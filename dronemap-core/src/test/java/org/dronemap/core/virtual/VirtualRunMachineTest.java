@@ -296,14 +296,19 @@ class VirtualRunMachineTest {
     @Test
     void takesADroneThatDoesNotMoveOnForFallen() {
         flyTo(2);
-        still = Duration.ofSeconds(25);
+        stands(25);
         assertThat(sent(null)).isNull();
 
-        still = Duration.ofSeconds(35);
+        stands(35);
         assertThat(sent(null)).isEqualTo(new Command.ReturnToLaunch());
         drone.mode = "RTL";
         assertThat(step(new Outcome.Succeeded()).release()).isEqualTo(VirtualRunStep.Release.FREE);
         assertThat(run.stage()).isEqualTo(VirtualRunStage.QUEUED);
+    }
+
+    private void stands(int seconds) {
+        now = now.plusSeconds(seconds);
+        still = Duration.ofSeconds(seconds);
     }
 
     @Test
@@ -318,7 +323,7 @@ class VirtualRunMachineTest {
                 .bound(VirtualFixtures.choiceOf("d1"), 20.0, VirtualFixtures.NOW);
         flyTo(2);
         assertThat(run.flown()).isEqualTo(1);
-        still = Duration.ofSeconds(62);
+        stands(62);
 
         assertThat(sent(null)).isNull();
         assertThat(run.stage()).isEqualTo(VirtualRunStage.FLYING);

@@ -11,6 +11,7 @@ record UnfitProblem(UnfitCode reason) implements ProblemCode {
     /** Requests and commands are refused for these, too: they have the word already. */
     private static final Set<UnfitCode> OF_OTHERS = EnumSet.of(
             UnfitCode.CONTACT_NOT_GOOD,
+            UnfitCode.LINK_FALLING,
             UnfitCode.NOT_AT_REST,
             UnfitCode.CAPABILITY_MISSING,
             UnfitCode.POSITION_UNKNOWN,

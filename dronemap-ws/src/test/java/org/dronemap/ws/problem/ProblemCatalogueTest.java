@@ -39,7 +39,7 @@ class ProblemCatalogueTest {
     private static final String UNFIT = "Drones that cannot serve";
     private static final String OF_UNFIT = "These are the `code` beside a drone that cannot serve a virtual one. No"
             + " request is refused for them. Other codes stand\nthere, too: of commands, for what the gate would refuse,"
-            + " and `contact-not-good`, `drone-not-at-rest`, `position-unknown`\nand `battery-unknown`.\n\n";
+            + " and `contact-not-good`, `link-falling`, `drone-not-at-rest`,\n`position-unknown` and `battery-unknown`.\n\n";
     private static final Map<String, String> INTRODUCTIONS = Map.of(OUTCOMES, OF_OUTCOMES, UNFIT, OF_UNFIT);
 
     @Test

@@ -11,7 +11,6 @@ import org.dronemap.ws.lab.LaboratorySetup;
 /** One scenario with one seed: each operation alone, and then, as often as wanted, all of them at once. */
 final class SeparationFlight {
     private static final Duration LOOK = Duration.ofMillis(100);
-    private static final Duration SECOND = Duration.ofSeconds(1);
     private static final double LONGEST_ALONE = 600;
     private static final double LONGEST_FACTOR = 3;
     private static final double LONGEST_SLACK = 120;
@@ -132,7 +131,6 @@ final class SeparationFlight {
 
         /** False: it is not over after so many seconds. */
         boolean fly(double longest, Disturbance disturbance, double disturbed) {
-            lab.time().worker("scenario", 1).every(Duration.ZERO, LOOK, this::step);
             if (disturbance != Disturbance.NONE) {
                 Duration at = Duration.ofMillis(Math.round(disturbed * 1_000));
                 lab.time().worker("disturbance", 2).after(at, () -> disturbance.begin(lab, drones()));
@@ -141,7 +139,9 @@ final class SeparationFlight {
             double least = disturbance == Disturbance.NONE ? 0 : disturbed + Disturbance.LASTS.toSeconds();
             boolean over = false;
             while (!over && seconds() < longest) {
-                lab.goOn(SECOND);
+                // Between what happens in the server: one of its threads may be waited for.
+                step();
+                lab.goOn(LOOK);
                 over = seconds() > least && isOver(disturbance);
             }
             lab.goOn(Duration.ofMillis(Math.round(GOES_ON * 1_000)));

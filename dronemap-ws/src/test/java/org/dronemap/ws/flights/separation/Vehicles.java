@@ -18,8 +18,11 @@ final class Vehicles {
     private static final LabVehicleLink.Quality LINK =
             new LabVehicleLink.Quality(0.01, Duration.ofMillis(20), Duration.ofMillis(40));
 
-    /** So near a waypoint has to be passed, where vehicles know no better where they are. */
-    static final double SERVED_METERS = NOISE ? 6 : 2;
+    /**
+     * So near a waypoint has to be passed, where vehicles know no better where they are: a copter turns for the next one 2 m
+     * before it, and is seen ten times a second.
+     */
+    static final double SERVED_METERS = NOISE ? 6 : 2.5;
 
     private Vehicles() {}
 
