@@ -77,14 +77,15 @@ async def recovers(
     yes: bool,
     no_wait: bool,
 ) -> None:
-    """Shows what would be done, asks, has it done, and waits until all are down."""
+    """Shows what would be done and asks, unless `yes`; has it done, and waits until all are down."""
     asked: dict[str, object] = {name: value for name, value in members.items() if value is not None}
     if drones:
         asked["drones"] = [(await session.drone(name)).id for name in drones]
     request = fitted("The recovery", {"manner": manner, **asked}, RecoveryRequest)
-    preview = await session.server.rest.preview_recovery(request)
-    session.output.note(_plan(preview))
-    agreed(yes, f"{'Land' if manner == 'land' else 'Return'} {len(preview.drones)} drones?")
+    if not yes:
+        preview = await session.server.rest.preview_recovery(request)
+        session.output.note(_plan(preview))
+        agreed(yes, f"{'Land' if manner == 'land' else 'Return'} {len(preview.drones)} drones?")
     view = await session.server.rest.begin_recovery(request)
     if not no_wait:
         view = await _watched(session, AsyncRecovery(view, session.server.rest, session.server.stream))
