@@ -6,7 +6,7 @@ import org.dronemap.cognitive.operation.recovery.RecoveryManner;
 import org.dronemap.ws.reading.EnumValues;
 import org.jspecify.annotations.Nullable;
 
-/** What a recovery would do if it began now, as clients see it before they confirm it. */
+/** A preview of a recovery (its drones, heights, order and spots if it began now), as clients see it before they confirm it. */
 @Schema(name = "RecoveryPreview", description = "What would be done if it began now.")
 public record RecoveryPreview(
         @EnumValues(RecoveryManner.class) String manner,

@@ -84,7 +84,7 @@ public record RecoveryRequest(
                 "m");
     }
 
-    boolean takesOver() {
+    boolean isTakeOver() {
         return Boolean.TRUE.equals(takeOver);
     }
 }

@@ -36,7 +36,7 @@ final class RecoverySelection {
     private final CloudManager cloud;
     private final Principal principal;
     private final RecoveryOrder order;
-    private final boolean takesOver;
+    private final boolean takeOver;
 
     /**
      * Drones that come, and those that are left alone.
@@ -64,11 +64,11 @@ final class RecoverySelection {
         }
     }
 
-    RecoverySelection(CloudManager cloud, Principal principal, RecoveryOrder order, boolean takesOver) {
+    RecoverySelection(CloudManager cloud, Principal principal, RecoveryOrder order, boolean takeOver) {
         this.cloud = cloud;
         this.principal = principal;
         this.order = order;
-        this.takesOver = takesOver;
+        this.takeOver = takeOver;
     }
 
     static @Nullable Geodetic point(DroneState drone) {
@@ -156,7 +156,7 @@ final class RecoverySelection {
         boolean mine = holder instanceof LeaseHolder.Pilot
                 || holder.userName().filter(principal.name()::equals).isPresent();
         boolean may = mine || principal.may(Role.SUPERVISOR, drone.id());
-        if (takesOver && may) {
+        if (takeOver && may) {
             return Optional.empty();
         }
         String held = cloud.controls().control(drone.id()).sentence();

@@ -58,7 +58,7 @@ public final class RecoveryService {
             CloudManager cloud,
             Separation least) {}
 
-    /** What was chosen and planned from what is known now. */
+    /** Drones that were chosen, and their plan, from the state that they are in now. */
     private record Draft(RecoveryOrder order, Chosen chosen, RecoveryPlan plan) {}
 
     /** {@code endings}: by which other operations give up their drones. */
@@ -135,7 +135,7 @@ public final class RecoveryService {
     private Draft draft(Principal principal, RecoveryRequest request) {
         desk.requireWithoutBounds(principal);
         RecoveryOrder order = request.order(least);
-        Chosen chosen = new RecoverySelection(cloud, principal, order, request.takesOver()).choose(request.drones());
+        Chosen chosen = new RecoverySelection(cloud, principal, order, request.isTakeOver()).choose(request.drones());
         if (chosen.drones().isEmpty()) {
             throw Rejection.of(
                     OperationProblem.NO_DRONE_TO_RECOVER,

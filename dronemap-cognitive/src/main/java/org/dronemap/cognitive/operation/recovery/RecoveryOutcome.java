@@ -2,7 +2,7 @@ package org.dronemap.cognitive.operation.recovery;
 
 import org.dronemap.core.stored.Stored;
 
-/** What became of one drone of a recovery. */
+/** The outcome of a recovery for one of its drones. */
 @Stored(names = "DOWN NOT_KNOWN TAKEN FAILED GIVEN_BACK")
 public enum RecoveryOutcome {
     /** It is on the ground with its motors off. */
