@@ -22,7 +22,6 @@ from dronemap.contract.models import (
     DroneView,
     GoToCommand,
     HoldCommand,
-    LandCommand,
     ReturnToLaunchCommand,
     SetModeCommand,
     TakeOffCommand,
@@ -111,19 +110,6 @@ async def goto(
         return f", {meters_between(place.latitude, place.longitude, latitude, longitude):.0f} m to go"
 
     await flies(session, flown, command, reached, aim, "hold", far)
-
-
-@click.command(cls=Command)
-@NO_WAIT
-@drone_option
-@connected
-async def land(session: Session, no_wait: bool, drone: str | None) -> None:
-    """Land where it is.
-
-    Ctrl-C on the way: it goes on landing.
-    """
-    reached = None if no_wait else on_ground
-    await flies(session, await session.drone(drone), LandCommand(), reached, "on the ground", "goOn")
 
 
 @click.command(cls=Command)

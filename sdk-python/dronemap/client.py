@@ -1,6 +1,7 @@
 """A server, for programs that await."""
 
 from collections.abc import Iterable
+from typing import Literal
 
 from dronemap.connection import find_server
 from dronemap.contract.models import (
@@ -8,6 +9,7 @@ from dronemap.contract.models import (
     FollowOpenRequest,
     FollowPlaceRequest,
     PlanRequest,
+    RecoveryRequest,
     VirtualDroneRequest,
 )
 from dronemap.contract.operations import Operations
@@ -19,6 +21,7 @@ from dronemap.follow import AsyncFollow
 from dronemap.mission import Mission
 from dronemap.plan import AsyncPlan, AsyncRun
 from dronemap.reader import Reader
+from dronemap.recovery import AsyncRecovery
 from dronemap.sender import Sender
 from dronemap.stream import DroneChange, Stream
 from dronemap.transport import HttpTransport, Transport
@@ -124,6 +127,13 @@ class AsyncDronemap:
         """Sends the best free drone of the pool there, `height` metres above its home; who asks gets its control."""
         asked = DispatchRequest(latitude=latitude, longitude=longitude, height=height, minutes=minutes)
         return AsyncDispatch(await self.rest.send_drone(asked), self.rest, self.stream)
+
+    async def recover(
+        self, manner: Literal["return", "land"], drones: list[str] | None = None, *, take_over: bool = False
+    ) -> AsyncRecovery:
+        """Brings drones home, or has them land, each in its turn; without `drones` all that you may command."""
+        asked = RecoveryRequest(manner=manner, drones=drones, take_over=take_over or None)
+        return AsyncRecovery(await self.rest.begin_recovery(asked), self.rest, self.stream)
 
     async def virtual_drones(self) -> list[AsyncVirtualDrone]:
         listed = await self.rest.list_virtual_drones()

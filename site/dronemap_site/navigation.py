@@ -87,6 +87,7 @@ SECTIONS = (
                     "docs/jobs/zones.md",
                     "docs/jobs/follow-a-phone.md",
                     "docs/jobs/send-a-drone.md",
+                    "docs/jobs/return-all.md",
                 ),
             ),
             Section(

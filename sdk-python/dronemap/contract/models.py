@@ -2097,6 +2097,131 @@ class RecordingView(Model):
     state: Literal["running", "complete", "incomplete"] | str
 
 
+class RecoveryLeftOutView(Model):
+    """
+    A drone that it leaves alone.
+    """
+
+    drone: str
+    drone_name: str
+    why: str
+    """
+    as a sentence
+    """
+
+
+class RecoveryPartView(Model):
+    """
+    How one drone comes down.
+    """
+
+    down_seconds: float
+    """
+    seconds from the beginning until it is down, as far as can be said
+    """
+    height: float
+    """
+    metres above its home, at which it flies there; when it lands: as high as it is
+    """
+    latitude: float
+    """
+    degrees: where it comes down
+    """
+    longitude: float
+    """
+    degrees
+    """
+    start_seconds: float
+    """
+    seconds from the beginning until it leaves its place, as far as can be said
+    """
+
+
+class RecoveryPlannedView(Model):
+    """
+    One drone that comes.
+    """
+
+    drone: str
+    drone_name: str
+    from_latitude: float
+    """
+    degrees: where it is
+    """
+    from_longitude: float
+    """
+    degrees
+    """
+    plan: RecoveryPartView | None = None
+    """
+    null: it is not heard, and comes home by its own fail-safe
+    """
+    waits_for: list[str] = []
+    """
+    Names of the drones that it waits for on its way
+    """
+
+
+class RecoveryPreview(Model):
+    """
+    What would be done if it began now.
+    """
+
+    ceiling: float
+    """
+    metres above each drone's home: none flies home above
+    """
+    drones: list[RecoveryPlannedView] = []
+    """
+    In the order in which they come down
+    """
+    left_out: list[RecoveryLeftOutView] = []
+    """
+    Drones that it leaves alone
+    """
+    lowest: float
+    """
+    metres above each drone's home: none flies home below
+    """
+    manner: Literal["return", "land"] | str
+    seconds: float
+    """
+    seconds until all are down, as far as can be said
+    """
+
+
+class RecoveryRequest(Model):
+    """
+    Which drones come home, or down, and within which heights.
+    """
+
+    ceiling: float | None = None
+    """
+    metres above each drone's home, 5 to 500: none flies home above; left out: 120
+    """
+    drones: list[str] | None = None
+    """
+    Ids of drones; left out: all in the air that you may command
+    """
+    lowest: float | None = None
+    """
+    metres above each drone's home, 5 to 500: none flies home below; left out: 20
+    """
+    manner: Literal["return", "land"]
+    """
+    return: each to its home, at a height of its own; land: each where it is
+    """
+    take_over: bool | None = None
+    """
+    true: also drones that operations of yours have, which end by that, and those that a pilot at the vehicle has; for a supervisor those that others have, too. Else they are left out and named
+    """
+
+
+class RecoveryToldView(Model):
+    at: AwareDatetime
+    words: str
+
+
 class RegistrationAnswer(Model):
     name: str
     role: Literal["reporter", "viewer", "planner", "operator", "supervisor", "administrator"] | str
@@ -3462,6 +3587,78 @@ class RecordingPage(Model):
     room: RecordingRoomView
 
 
+class RecoveryDroneView(Model):
+    """
+    One drone of it.
+    """
+
+    drone: str
+    drone_name: str
+    note: str | None = None
+    """
+    What is not as it should be, or why it ended so
+    """
+    outcome: Literal["down", "notKnown", "taken", "failed", "givenBack"] | str | None = None
+    """
+    What became of it; null: it is under way
+    """
+    plan: RecoveryPartView | None = None
+    """
+    Its part of the plan; null: it has none (yet)
+    """
+    step: Literal["aloft", "levelling", "level", "underWay", "overHome", "descending", "down"] | str
+    """
+    aloft: it stands where it was; levelling: it climbs or descends to its height; level: it stands there; overHome: it stands above its home
+    """
+    waits_for: list[str] = []
+    """
+    Names of the drones that it waits for now
+    """
+
+
+class RecoveryView(Model):
+    """
+    Drones that come home, or down, together, as they stand.
+    """
+
+    began_at: AwareDatetime
+    ceiling: float
+    """
+    metres above each drone's home: none flies home above
+    """
+    drones: list[RecoveryDroneView] = []
+    """
+    Its drones, in the order in which they come down as far as that is planned
+    """
+    end: str | None = None
+    """
+    How it ended; null: it goes on
+    """
+    ended_at: AwareDatetime | None = None
+    """
+    null: it is under way
+    """
+    id: str
+    lowest: float
+    """
+    metres above each drone's home: none flies home below
+    """
+    manner: Literal["return", "land"] | str
+    owner: str
+    """
+    The user who asked for it
+    """
+    since: AwareDatetime
+    state: Literal["stopping", "comingDown", "givingBack", "over"] | str
+    """
+    stopping: all drones stop where they are; comingDown: each comes home, or down, in its turn; givingBack: it was called off, and its drones go over to the owner
+    """
+    told: list[RecoveryToldView] = []
+    """
+    What it said, the newest 40, the oldest first
+    """
+
+
 class RunExplanationView(Model):
     after: RunFiguresView | None = None
     at: AwareDatetime
@@ -3936,6 +4133,10 @@ class PlanRequest(Model):
     """
     The same everywhere; left out: calm
     """
+
+
+class RecoveryList(Model):
+    recoveries: list[RecoveryView] = []
 
 
 class RunView(Model):

@@ -105,6 +105,16 @@ class Operations:
         call = Call("answerRun", "POST", placed("/runs/{id}/answers/{proposal}", id=id, proposal=proposal), body=body)
         return await self._sender.send(call, models.RunView)
 
+    async def begin_recovery(self, body: models.RecoveryRequest) -> models.RecoveryView:
+        """Bring drones home, or down, together (operator). All stop where they are. Then each that returns climbs or
+        descends to a height of its own, which is set as its return height too, and flies home in its turn; pads
+        near each other are used one after the other. Each that lands does so where it is, one after the other
+        where they are near. The return heights are put back on the ground. 409 when they do not fit between the
+        lowest height and the ceiling, with the number that does, or when two would come down on one spot.
+        """
+        call = Call("beginRecovery", "POST", "/recoveries", body=body)
+        return await self._sender.send(call, models.RecoveryView)
+
     async def broadcast_command(
         self, body: models.BroadcastRequest, *, wait: float | None = None
     ) -> models.BroadcastView:
@@ -125,6 +135,14 @@ class Operations:
         """Cancel a follow (operator). Before the drone follows: it is free again. 409 once it follows; stop it then."""
         call = Call("cancelFollow", "POST", placed("/follows/{id}/cancel", id=id))
         return await self._sender.send(call, models.FollowView)
+
+    async def cancel_recovery(self, id: str) -> models.RecoveryView:
+        """Call a recovery off (operator). Its drones hold where they are, and whoever asked for it gets control of
+        them; those that are descending already come down. Who gives no signs of life then has them come home, as
+        always. 409 when it was called off already, or is over.
+        """
+        call = Call("cancelRecovery", "POST", placed("/recoveries/{id}/cancel", id=id))
+        return await self._sender.send(call, models.RecoveryView)
 
     async def cancel_run_waypoint(self, id: str, waypoint: str) -> models.RunView:
         """Cancel a waypoint of a mission run (operator)."""
@@ -553,6 +571,11 @@ class Operations:
         call = Call("getRecordingSent", "GET", placed("/recordings/{id}/sent", id=id))
         return await self._sender.send(call, bytes)
 
+    async def get_recovery(self, id: str) -> models.RecoveryView:
+        """Look at one recovery."""
+        call = Call("getRecovery", "GET", placed("/recoveries/{id}", id=id))
+        return await self._sender.send(call, models.RecoveryView)
+
     async def get_registration_policy(self) -> models.RegistrationPolicy:
         """How accounts are made here. approval, invitation or off; needs no sign-in."""
         call = Call("getRegistrationPolicy", "GET", "/registrations")
@@ -927,6 +950,13 @@ class Operations:
         call = Call("listRecordings", "GET", "/recordings", query={"drone": drone})
         return await self._sender.send(call, models.RecordingPage)
 
+    async def list_recoveries(self) -> models.RecoveryList:
+        """List recoveries. Yours, and those of your organisation whose drones you all see: under way, and the newest
+        that are over.
+        """
+        call = Call("listRecoveries", "GET", "/recoveries")
+        return await self._sender.send(call, models.RecoveryList)
+
     async def list_replays(self) -> models.Replays:
         """List the replays."""
         call = Call("listReplays", "GET", "/replays")
@@ -1056,6 +1086,14 @@ class Operations:
         """
         call = Call("pauseRun", "POST", placed("/runs/{id}/pause", id=id))
         return await self._sender.send(call, models.RunView)
+
+    async def preview_recovery(self, body: models.RecoveryRequest) -> models.RecoveryPreview:
+        """Preview a recovery (operator). What the same request would do if it were begun now: which drones come, at
+        which height, in which order, and where each comes down; and which are left alone, with the reason.
+        Nothing is commanded. 409 when they do not fit, with the number that does.
+        """
+        call = Call("previewRecovery", "POST", "/recoveries/preview", body=body)
+        return await self._sender.send(call, models.RecoveryPreview)
 
     async def put_into_warehouse(self, id: str) -> models.WarehouseView:
         """Let a drone serve virtual ones (supervisor)."""

@@ -1,6 +1,7 @@
 """A server, for programs that do not await."""
 
 from collections.abc import Iterable, Iterator
+from typing import Literal
 
 from dronemap.client import PATIENCE_SECONDS, AsyncDronemap
 from dronemap.contract.models import FollowPlaceRequest, PlanRequest
@@ -11,7 +12,7 @@ from dronemap.sync.drone import Drone
 from dronemap.sync.events import Events
 from dronemap.sync.loop import LoopThread
 from dronemap.sync.operations import SyncOperations
-from dronemap.sync.tracked import Dispatch, Follow, Plan, Run, VirtualDrone
+from dronemap.sync.tracked import Dispatch, Follow, Plan, Recovery, Run, VirtualDrone
 from dronemap.transport import Transport
 
 
@@ -107,6 +108,12 @@ class Dronemap:
         """Sends the best free drone of the pool there, `height` metres above its home; who asks gets its control."""
         asked = self._awaited.send(latitude, longitude, height=height, minutes=minutes)
         return Dispatch(self._loop, self._loop.run(asked))
+
+    def recover(
+        self, manner: Literal["return", "land"], drones: list[str] | None = None, *, take_over: bool = False
+    ) -> Recovery:
+        """Brings drones home, or has them land, each in its turn; without `drones` all that you may command."""
+        return Recovery(self._loop, self._loop.run(self._awaited.recover(manner, drones, take_over=take_over)))
 
     def virtual_drones(self) -> list[VirtualDrone]:
         return [VirtualDrone(self._loop, drone) for drone in self._loop.run(self._awaited.virtual_drones())]

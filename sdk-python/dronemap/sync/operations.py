@@ -92,6 +92,15 @@ class SyncOperations:
         """Answer a proposal of a mission run (operator). By its number. 409 when another one waits by now, or none."""
         return self._loop.run(self._awaited.answer_run(id, proposal, body))
 
+    def begin_recovery(self, body: models.RecoveryRequest) -> models.RecoveryView:
+        """Bring drones home, or down, together (operator). All stop where they are. Then each that returns climbs or
+        descends to a height of its own, which is set as its return height too, and flies home in its turn; pads
+        near each other are used one after the other. Each that lands does so where it is, one after the other
+        where they are near. The return heights are put back on the ground. 409 when they do not fit between the
+        lowest height and the ceiling, with the number that does, or when two would come down on one spot.
+        """
+        return self._loop.run(self._awaited.begin_recovery(body))
+
     def broadcast_command(self, body: models.BroadcastRequest, *, wait: float | None = None) -> models.BroadcastView:
         """Give one command to several drones or all (operator). One result for each drone, in the order asked: its
         command, refused, under way or ended. 200 when none is under way any more, else 202.
@@ -107,6 +116,13 @@ class SyncOperations:
     def cancel_follow(self, id: str) -> models.FollowView:
         """Cancel a follow (operator). Before the drone follows: it is free again. 409 once it follows; stop it then."""
         return self._loop.run(self._awaited.cancel_follow(id))
+
+    def cancel_recovery(self, id: str) -> models.RecoveryView:
+        """Call a recovery off (operator). Its drones hold where they are, and whoever asked for it gets control of
+        them; those that are descending already come down. Who gives no signs of life then has them come home, as
+        always. 409 when it was called off already, or is over.
+        """
+        return self._loop.run(self._awaited.cancel_recovery(id))
 
     def cancel_run_waypoint(self, id: str, waypoint: str) -> models.RunView:
         """Cancel a waypoint of a mission run (operator)."""
@@ -462,6 +478,10 @@ class SyncOperations:
         """
         return self._loop.run(self._awaited.get_recording_sent(id))
 
+    def get_recovery(self, id: str) -> models.RecoveryView:
+        """Look at one recovery."""
+        return self._loop.run(self._awaited.get_recovery(id))
+
     def get_registration_policy(self) -> models.RegistrationPolicy:
         """How accounts are made here. approval, invitation or off; needs no sign-in."""
         return self._loop.run(self._awaited.get_registration_policy())
@@ -760,6 +780,12 @@ class SyncOperations:
         """List the recordings, newest first, and the room that they take."""
         return self._loop.run(self._awaited.list_recordings(drone=drone))
 
+    def list_recoveries(self) -> models.RecoveryList:
+        """List recoveries. Yours, and those of your organisation whose drones you all see: under way, and the newest
+        that are over.
+        """
+        return self._loop.run(self._awaited.list_recoveries())
+
     def list_replays(self) -> models.Replays:
         """List the replays."""
         return self._loop.run(self._awaited.list_replays())
@@ -866,6 +892,13 @@ class SyncOperations:
         who is on its way home, or has nothing left to visit, comes down. 409 when it is paused already.
         """
         return self._loop.run(self._awaited.pause_run(id))
+
+    def preview_recovery(self, body: models.RecoveryRequest) -> models.RecoveryPreview:
+        """Preview a recovery (operator). What the same request would do if it were begun now: which drones come, at
+        which height, in which order, and where each comes down; and which are left alone, with the reason.
+        Nothing is commanded. 409 when they do not fit, with the number that does.
+        """
+        return self._loop.run(self._awaited.preview_recovery(body))
 
     def put_into_warehouse(self, id: str) -> models.WarehouseView:
         """Let a drone serve virtual ones (supervisor)."""

@@ -9,6 +9,7 @@ from dronemap.contract.models import (
     FollowReceipt,
     FollowView,
     PlanView,
+    RecoveryView,
     RunStartRequest,
     RunView,
     VirtualDroneView,
@@ -16,6 +17,7 @@ from dronemap.contract.models import (
 from dronemap.dispatch import AsyncDispatch
 from dronemap.follow import AsyncFollow
 from dronemap.plan import AsyncPlan, AsyncRun
+from dronemap.recovery import AsyncRecovery
 from dronemap.sync.loop import LoopThread
 from dronemap.virtual import AsyncVirtualDrone
 
@@ -163,6 +165,31 @@ class Dispatch:
 
     def cancel(self) -> DispatchView:
         """Calls it off: the drone flies home, from wherever it is."""
+        return self._loop.run(self._awaited.cancel())
+
+
+class Recovery:
+    """Drones that come home, or land, together (see `AsyncRecovery`)."""
+
+    def __init__(self, loop: LoopThread, awaited: AsyncRecovery) -> None:
+        self._loop = loop
+        self._awaited = awaited
+        self.id = awaited.id
+
+    @property
+    def view(self) -> RecoveryView:
+        return self._awaited.view
+
+    def progress(self) -> Iterator[RecoveryView]:
+        """As it stands now, and whenever that changes, up to when it is over."""
+        return self._loop.iterate(self._awaited.progress())
+
+    def wait(self, timeout: float | None = None) -> RecoveryView:
+        """Returns when it is over; `view.end` says how."""
+        return self._loop.run(self._awaited.wait(timeout))
+
+    def cancel(self) -> RecoveryView:
+        """Calls it off: its drones hold, and control of them goes over to whoever asked."""
         return self._loop.run(self._awaited.cancel())
 
 

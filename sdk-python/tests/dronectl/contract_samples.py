@@ -157,6 +157,47 @@ DISPATCH: Members = {
     "others": [],
     "now": None,
 }
+RECOVERY: Members = {
+    "id": "c1",
+    "owner": "ann",
+    "beganAt": NOW,
+    "endedAt": None,
+    "manner": "return",
+    "state": "stopping",
+    "since": NOW,
+    "lowest": 20.0,
+    "ceiling": 120.0,
+    "drones": [
+        {
+            "drone": "d1",
+            "droneName": "Heron-1",
+            "step": "aloft",
+            "outcome": None,
+            "note": None,
+            "waitsFor": [],
+            "plan": None,
+        }
+    ],
+    "told": [],
+    "end": None,
+}
+RECOVERY_PREVIEW: Members = {
+    "manner": "return",
+    "lowest": 20.0,
+    "ceiling": 120.0,
+    "seconds": 90.0,
+    "drones": [
+        {
+            "drone": "d1",
+            "droneName": "Heron-1",
+            "fromLatitude": 47.1,
+            "fromLongitude": 8.1,
+            "plan": {"latitude": 47.0, "longitude": 8.0, "height": 30.0, "startSeconds": 0.0, "downSeconds": 90.0},
+            "waitsFor": ["Heron-2"],
+        }
+    ],
+    "leftOut": [{"drone": "d2", "droneName": "Kestrel", "why": "It is not in the air."}],
+}
 RECEIPT: Members = {"at": NOW, "follow": "f1", "known": 0, "taken": 1, "upTo": 1}
 VIRTUAL: Members = {
     "id": "v1",

@@ -97,6 +97,10 @@ import type {
   ReceiptView,
   RecordingPage,
   RecordingView,
+  RecoveryList,
+  RecoveryPreview,
+  RecoveryRequest,
+  RecoveryView,
   RegistrationAnswer,
   RegistrationPolicy,
   RegistrationRequest,
@@ -170,12 +174,16 @@ export interface RestOperations {
   annotateFlight(parameters: { id: string }, body: FlightNotes, options?: CallOptions): Promise<FlightView>;
   /** Answer a proposal of a mission run (operator): POST /api/v1/runs/{id}/answers/{proposal} */
   answerRun(parameters: { id: string; proposal: string }, body: RunAnswerRequest, options?: CallOptions): Promise<RunView>;
+  /** Bring drones home, or down, together (operator): POST /api/v1/recoveries */
+  beginRecovery(body: RecoveryRequest, options?: CallOptions): Promise<RecoveryView>;
   /** Give one command to several drones or all (operator): POST /api/v1/commands */
   broadcastCommand(parameters: { wait?: number | undefined }, body: BroadcastRequest, options?: CallOptions): Promise<BroadcastView>;
   /** Call a drone off that was sent (operator): POST /api/v1/dispatches/{id}/cancel */
   cancelDispatch(parameters: { id: string }, options?: CallOptions): Promise<DispatchView>;
   /** Cancel a follow (operator): POST /api/v1/follows/{id}/cancel */
   cancelFollow(parameters: { id: string }, options?: CallOptions): Promise<FollowView>;
+  /** Call a recovery off (operator): POST /api/v1/recoveries/{id}/cancel */
+  cancelRecovery(parameters: { id: string }, options?: CallOptions): Promise<RecoveryView>;
   /** Cancel a waypoint of a mission run (operator): DELETE /api/v1/runs/{id}/waypoints/{waypoint} */
   cancelRunWaypoint(parameters: { id: string; waypoint: string }, options?: CallOptions): Promise<RunView>;
   /** Change where the drone stays (operator): PATCH /api/v1/follows/{id} */
@@ -290,6 +298,8 @@ export interface RestOperations {
   getRecordingFile(parameters: { id: string }, options?: CallOptions): Promise<Response>;
   /** Download who sent what in a recording (tab-separated): GET /api/v1/recordings/{id}/sent */
   getRecordingSent(parameters: { id: string }, options?: CallOptions): Promise<string>;
+  /** Look at one recovery: GET /api/v1/recoveries/{id} */
+  getRecovery(parameters: { id: string }, options?: CallOptions): Promise<RecoveryView>;
   /** How accounts are made here: GET /api/v1/registrations */
   getRegistrationPolicy(options?: CallOptions): Promise<RegistrationPolicy>;
   /** Look at one replay: GET /api/v1/replays/{id} */
@@ -386,6 +396,8 @@ export interface RestOperations {
   listPlans(options?: CallOptions): Promise<PlanList>;
   /** List the recordings, newest first, and the room that they take: GET /api/v1/recordings */
   listRecordings(parameters?: { drone?: string | undefined }, options?: CallOptions): Promise<RecordingPage>;
+  /** List recoveries: GET /api/v1/recoveries */
+  listRecoveries(options?: CallOptions): Promise<RecoveryList>;
   /** List the replays: GET /api/v1/replays */
   listReplays(options?: CallOptions): Promise<Replays>;
   /** List the keys of robots (administrator): GET /api/v1/robot-keys */
@@ -428,6 +440,8 @@ export interface RestOperations {
   pauseFollow(parameters: { id: string }, options?: CallOptions): Promise<FollowView>;
   /** Pause a mission run (operator): POST /api/v1/runs/{id}/pause */
   pauseRun(parameters: { id: string }, options?: CallOptions): Promise<RunView>;
+  /** Preview a recovery (operator): POST /api/v1/recoveries/preview */
+  previewRecovery(body: RecoveryRequest, options?: CallOptions): Promise<RecoveryPreview>;
   /** Let a drone serve virtual ones (supervisor): PUT /api/v1/warehouse/{id} */
   putIntoWarehouse(parameters: { id: string }, options?: CallOptions): Promise<WarehouseView>;
   /** Read the fence from the vehicle (operator): POST /api/v1/drones/{id}/fence/refresh */
@@ -567,9 +581,11 @@ export const OPERATIONS = {
   addZone: { method: 'POST', path: '/api/v1/zones', body: ['application/json'], answer: 'json' },
   annotateFlight: { method: 'PATCH', path: '/api/v1/flights/{id}', body: ['application/json'], answer: 'json' },
   answerRun: { method: 'POST', path: '/api/v1/runs/{id}/answers/{proposal}', body: ['application/json'], answer: 'json' },
+  beginRecovery: { method: 'POST', path: '/api/v1/recoveries', body: ['application/json'], answer: 'json' },
   broadcastCommand: { method: 'POST', path: '/api/v1/commands', query: ['wait'], body: ['application/json'], answer: 'json' },
   cancelDispatch: { method: 'POST', path: '/api/v1/dispatches/{id}/cancel', answer: 'json' },
   cancelFollow: { method: 'POST', path: '/api/v1/follows/{id}/cancel', answer: 'json' },
+  cancelRecovery: { method: 'POST', path: '/api/v1/recoveries/{id}/cancel', answer: 'json' },
   cancelRunWaypoint: { method: 'DELETE', path: '/api/v1/runs/{id}/waypoints/{waypoint}', answer: 'json' },
   changeFollow: { method: 'PATCH', path: '/api/v1/follows/{id}', body: ['application/json'], answer: 'json' },
   changePassword: { method: 'POST', path: '/api/v1/session/password', body: ['application/json'], answer: 'nothing' },
@@ -627,6 +643,7 @@ export const OPERATIONS = {
   getRecording: { method: 'GET', path: '/api/v1/recordings/{id}', answer: 'json' },
   getRecordingFile: { method: 'GET', path: '/api/v1/recordings/{id}/file', answer: 'file' },
   getRecordingSent: { method: 'GET', path: '/api/v1/recordings/{id}/sent', answer: 'text' },
+  getRecovery: { method: 'GET', path: '/api/v1/recoveries/{id}', answer: 'json' },
   getRegistrationPolicy: { method: 'GET', path: '/api/v1/registrations', answer: 'json' },
   getReplay: { method: 'GET', path: '/api/v1/replays/{id}', answer: 'json' },
   getRun: { method: 'GET', path: '/api/v1/runs/{id}', answer: 'json' },
@@ -675,6 +692,7 @@ export const OPERATIONS = {
   listParameters: { method: 'GET', path: '/api/v1/drones/{id}/parameters', query: ['search'], answer: 'json' },
   listPlans: { method: 'GET', path: '/api/v1/plans', answer: 'json' },
   listRecordings: { method: 'GET', path: '/api/v1/recordings', query: ['drone'], answer: 'json' },
+  listRecoveries: { method: 'GET', path: '/api/v1/recoveries', answer: 'json' },
   listReplays: { method: 'GET', path: '/api/v1/replays', answer: 'json' },
   listRobotKeys: { method: 'GET', path: '/api/v1/robot-keys', answer: 'json' },
   listRuns: { method: 'GET', path: '/api/v1/runs', answer: 'json' },
@@ -696,6 +714,7 @@ export const OPERATIONS = {
   orderTour: { method: 'POST', path: '/api/v1/tours', body: ['application/json'], answer: 'json' },
   pauseFollow: { method: 'POST', path: '/api/v1/follows/{id}/pause', answer: 'json' },
   pauseRun: { method: 'POST', path: '/api/v1/runs/{id}/pause', answer: 'json' },
+  previewRecovery: { method: 'POST', path: '/api/v1/recoveries/preview', body: ['application/json'], answer: 'json' },
   putIntoWarehouse: { method: 'PUT', path: '/api/v1/warehouse/{id}', answer: 'json' },
   readFence: { method: 'POST', path: '/api/v1/drones/{id}/fence/refresh', answer: 'json' },
   readLogs: { method: 'POST', path: '/api/v1/drones/{id}/logs/refresh', answer: 'json' },

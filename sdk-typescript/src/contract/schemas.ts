@@ -1160,6 +1160,98 @@ export interface components {
              */
             type: "readParameters";
         };
+        /** @description One drone of it. */
+        RecoveryDroneView: {
+            drone: string;
+            droneName: string;
+            /** @description What is not as it should be, or why it ended so */
+            note: string | null;
+            /**
+             * @description What became of it; null: it is under way
+             * @enum {string|null}
+             */
+            outcome: "down" | "notKnown" | "taken" | "failed" | "givenBack" | null;
+            /** @description Its part of the plan; null: it has none (yet) */
+            plan: components["schemas"]["RecoveryPartView"] | null;
+            /**
+             * @description aloft: it stands where it was; levelling: it climbs or descends to its height; level: it stands there; overHome: it stands above its home
+             * @enum {string}
+             */
+            step: "aloft" | "levelling" | "level" | "underWay" | "overHome" | "descending" | "down";
+            /** @description Names of the drones that it waits for now */
+            waitsFor: string[];
+        };
+        /** @description How one drone comes down. */
+        RecoveryPartView: {
+            /**
+             * Format: double
+             * @description seconds from the beginning until it is down, as far as can be said
+             */
+            downSeconds: number;
+            /**
+             * Format: double
+             * @description metres above its home, at which it flies there; when it lands: as high as it is
+             */
+            height: number;
+            /**
+             * Format: double
+             * @description degrees: where it comes down
+             */
+            latitude: number;
+            /**
+             * Format: double
+             * @description degrees
+             */
+            longitude: number;
+            /**
+             * Format: double
+             * @description seconds from the beginning until it leaves its place, as far as can be said
+             */
+            startSeconds: number;
+        };
+        RecoveryToldView: {
+            /** Format: date-time */
+            at: string;
+            words: string;
+        };
+        /** @description Drones that come home, or down, together, as they stand. */
+        RecoveryView: {
+            /** Format: date-time */
+            beganAt: string;
+            /**
+             * Format: double
+             * @description metres above each drone's home: none flies home above
+             */
+            ceiling: number;
+            /** @description Its drones, in the order in which they come down as far as that is planned */
+            drones: components["schemas"]["RecoveryDroneView"][];
+            /** @description How it ended; null: it goes on */
+            end: string | null;
+            /**
+             * Format: date-time
+             * @description null: it is under way
+             */
+            endedAt: string | null;
+            id: string;
+            /**
+             * Format: double
+             * @description metres above each drone's home: none flies home below
+             */
+            lowest: number;
+            /** @enum {string} */
+            manner: "return" | "land";
+            /** @description The user who asked for it */
+            owner: string;
+            /** Format: date-time */
+            since: string;
+            /**
+             * @description stopping: all drones stop where they are; comingDown: each comes home, or down, in its turn; givingBack: it was called off, and its drones go over to the owner
+             * @enum {string}
+             */
+            state: "stopping" | "comingDown" | "givingBack" | "over";
+            /** @description What it said, the newest 40, the oldest first */
+            told: components["schemas"]["RecoveryToldView"][];
+        };
         /** @description Fly home and land there. */
         ReturnToLaunchCommand: {
             /**
@@ -1741,7 +1833,7 @@ export interface components {
             type: "letGo";
         };
         /** @description What the server says. */
-        StreamMessage: components["schemas"]["StreamHello"] | components["schemas"]["StreamDrones"] | components["schemas"]["StreamDrone"] | components["schemas"]["StreamDroneRemoved"] | components["schemas"]["StreamZoneChanged"] | components["schemas"]["StreamZoneRemoved"] | components["schemas"]["StreamVirtualDroneChanged"] | components["schemas"]["StreamVirtualDroneRemoved"] | components["schemas"]["StreamPlanChanged"] | components["schemas"]["StreamPlanRemoved"] | components["schemas"]["StreamRunChanged"] | components["schemas"]["StreamFollowChanged"] | components["schemas"]["StreamFollowNow"] | components["schemas"]["StreamPositionsHeard"] | components["schemas"]["StreamDispatchChanged"] | components["schemas"]["StreamDispatchNow"] | components["schemas"]["StreamCommand"] | components["schemas"]["StreamCommandAccepted"] | components["schemas"]["StreamControl"] | components["schemas"]["StreamControlAnswer"] | components["schemas"]["StreamError"] | components["schemas"]["StreamPing"] | components["schemas"]["StreamPong"];
+        StreamMessage: components["schemas"]["StreamHello"] | components["schemas"]["StreamDrones"] | components["schemas"]["StreamDrone"] | components["schemas"]["StreamDroneRemoved"] | components["schemas"]["StreamZoneChanged"] | components["schemas"]["StreamZoneRemoved"] | components["schemas"]["StreamVirtualDroneChanged"] | components["schemas"]["StreamVirtualDroneRemoved"] | components["schemas"]["StreamPlanChanged"] | components["schemas"]["StreamPlanRemoved"] | components["schemas"]["StreamRunChanged"] | components["schemas"]["StreamFollowChanged"] | components["schemas"]["StreamFollowNow"] | components["schemas"]["StreamPositionsHeard"] | components["schemas"]["StreamDispatchChanged"] | components["schemas"]["StreamDispatchNow"] | components["schemas"]["StreamRecoveryChanged"] | components["schemas"]["StreamCommand"] | components["schemas"]["StreamCommandAccepted"] | components["schemas"]["StreamControl"] | components["schemas"]["StreamControlAnswer"] | components["schemas"]["StreamError"] | components["schemas"]["StreamPing"] | components["schemas"]["StreamPong"];
         /** @description The sign of life, once a second, by the clock of the cloud. */
         StreamPing: {
             /** Format: date-time */
@@ -1798,6 +1890,12 @@ export interface components {
             sent: string;
             /** @enum {string} */
             type: "positions";
+        };
+        /** @description Drones that come home, or down, together; all that are under way once after hello, then when one changes. */
+        StreamRecoveryChanged: {
+            recovery: components["schemas"]["RecoveryView"];
+            /** @enum {string} */
+            type: "recovery";
         };
         /** @description What a client says; which members there are depends on the type. */
         StreamRequest: components["schemas"]["StreamAuthenticateRequest"] | components["schemas"]["StreamCommandRequest"] | components["schemas"]["StreamControlRequest"] | components["schemas"]["StreamSteerRequest"] | components["schemas"]["StreamLetGoRequest"] | components["schemas"]["StreamPositionsRequest"] | components["schemas"]["StreamSubscribeRequest"] | components["schemas"]["StreamPingRequest"];
@@ -3508,6 +3606,81 @@ export interface components {
             /** @enum {string} */
             state: "running" | "complete" | "incomplete";
         };
+        /** @description A drone that it leaves alone. */
+        RecoveryLeftOutView: {
+            drone: string;
+            droneName: string;
+            /** @description as a sentence */
+            why: string;
+        };
+        RecoveryList: {
+            recoveries: components["schemas"]["RecoveryView"][];
+        };
+        /** @description One drone that comes. */
+        RecoveryPlannedView: {
+            drone: string;
+            droneName: string;
+            /**
+             * Format: double
+             * @description degrees: where it is
+             */
+            fromLatitude: number;
+            /**
+             * Format: double
+             * @description degrees
+             */
+            fromLongitude: number;
+            /** @description null: it is not heard, and comes home by its own fail-safe */
+            plan: components["schemas"]["RecoveryPartView"] | null;
+            /** @description Names of the drones that it waits for on its way */
+            waitsFor: string[];
+        };
+        /** @description What would be done if it began now. */
+        RecoveryPreview: {
+            /**
+             * Format: double
+             * @description metres above each drone's home: none flies home above
+             */
+            ceiling: number;
+            /** @description In the order in which they come down */
+            drones: components["schemas"]["RecoveryPlannedView"][];
+            /** @description Drones that it leaves alone */
+            leftOut: components["schemas"]["RecoveryLeftOutView"][];
+            /**
+             * Format: double
+             * @description metres above each drone's home: none flies home below
+             */
+            lowest: number;
+            /** @enum {string} */
+            manner: "return" | "land";
+            /**
+             * Format: double
+             * @description seconds until all are down, as far as can be said
+             */
+            seconds: number;
+        };
+        /** @description Which drones come home, or down, and within which heights. */
+        RecoveryRequest: {
+            /**
+             * Format: double
+             * @description metres above each drone's home, 5 to 500: none flies home above; left out: 120
+             */
+            ceiling?: number | null;
+            /** @description Ids of drones; left out: all in the air that you may command */
+            drones?: string[] | null;
+            /**
+             * Format: double
+             * @description metres above each drone's home, 5 to 500: none flies home below; left out: 20
+             */
+            lowest?: number | null;
+            /**
+             * @description return: each to its home, at a height of its own; land: each where it is
+             * @enum {string}
+             */
+            manner: "return" | "land";
+            /** @description true: also drones that operations of yours have, which end by that, and those that a pilot at the vehicle has; for a supervisor those that others have, too. Else they are left out and named */
+            takeOver?: boolean | null;
+        };
         RegistrationAnswer: {
             name: string;
             /** @enum {string} */
@@ -3988,6 +4161,10 @@ export type ReadHomeCommand = components['schemas']['ReadHomeCommand'];
 export type ReadLogsCommand = components['schemas']['ReadLogsCommand'];
 export type ReadMapCommand = components['schemas']['ReadMapCommand'];
 export type ReadParametersCommand = components['schemas']['ReadParametersCommand'];
+export type RecoveryDroneView = components['schemas']['RecoveryDroneView'];
+export type RecoveryPartView = components['schemas']['RecoveryPartView'];
+export type RecoveryToldView = components['schemas']['RecoveryToldView'];
+export type RecoveryView = components['schemas']['RecoveryView'];
 export type ReturnToLaunchCommand = components['schemas']['ReturnToLaunchCommand'];
 export type ReturnToLaunchItem = components['schemas']['ReturnToLaunchItem'];
 export type RunCountsView = components['schemas']['RunCountsView'];
@@ -4041,6 +4218,7 @@ export type StreamPlanRemoved = components['schemas']['StreamPlanRemoved'];
 export type StreamPong = components['schemas']['StreamPong'];
 export type StreamPositionsHeard = components['schemas']['StreamPositionsHeard'];
 export type StreamPositionsRequest = components['schemas']['StreamPositionsRequest'];
+export type StreamRecoveryChanged = components['schemas']['StreamRecoveryChanged'];
 export type StreamRequest = components['schemas']['StreamRequest'];
 export type StreamRunChanged = components['schemas']['StreamRunChanged'];
 export type StreamSteerRequest = components['schemas']['StreamSteerRequest'];
@@ -4204,6 +4382,11 @@ export type ReceiptView = components['schemas']['ReceiptView'];
 export type RecordingPage = components['schemas']['RecordingPage'];
 export type RecordingRoomView = components['schemas']['RecordingRoomView'];
 export type RecordingView = components['schemas']['RecordingView'];
+export type RecoveryLeftOutView = components['schemas']['RecoveryLeftOutView'];
+export type RecoveryList = components['schemas']['RecoveryList'];
+export type RecoveryPlannedView = components['schemas']['RecoveryPlannedView'];
+export type RecoveryPreview = components['schemas']['RecoveryPreview'];
+export type RecoveryRequest = components['schemas']['RecoveryRequest'];
 export type RegistrationAnswer = components['schemas']['RegistrationAnswer'];
 export type RegistrationPolicy = components['schemas']['RegistrationPolicy'];
 export type RegistrationRequest = components['schemas']['RegistrationRequest'];

@@ -177,6 +177,8 @@ function keyOf(message: StreamMessage): unknown {
       return `dispatchNow ${message.id}`;
     case 'run':
       return `run ${message.run.id}`;
+    case 'recovery':
+      return `recovery ${message.recovery.id}`;
     case 'plan':
       return `plan ${message.plan.id}`;
     case 'virtualDrone':

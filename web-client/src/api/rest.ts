@@ -6,6 +6,7 @@ import { ControlCalls } from './control';
 import type { DtlsKey, Endpoint, NewRobotKey, RobotKey } from './endpoints';
 import { FlightCalls } from './flights';
 import { DispatchCalls } from './dispatches';
+import { RecoveryCalls } from './recoveries';
 import { FollowCalls } from './follows';
 import { GrantCalls } from './grants';
 import type { LinkPolicy, LinkSecurity, NewLinkKey } from './link-security';
@@ -36,6 +37,7 @@ export class RestClient {
   readonly flights: FlightCalls;
   readonly follows: FollowCalls;
   readonly dispatches: DispatchCalls;
+  readonly recoveries: RecoveryCalls;
   readonly control: ControlCalls;
   readonly grants: GrantCalls;
   readonly outlet: OutletCalls;
@@ -55,6 +57,7 @@ export class RestClient {
     this.flights = new FlightCalls(client);
     this.follows = new FollowCalls(rest);
     this.dispatches = new DispatchCalls(rest);
+    this.recoveries = new RecoveryCalls(rest);
     this.control = new ControlCalls(rest);
     this.grants = new GrantCalls(rest);
     this.outlet = new OutletCalls(rest);

@@ -12,6 +12,7 @@ import { ControlLeases } from './control-leases.svelte';
 import { ViewState } from './view-state.svelte';
 import { Directory } from './directory.svelte';
 import { Dispatches } from './dispatches.svelte';
+import { Recoveries } from './recoveries.svelte';
 import { Fleet } from './fleet.svelte';
 import { Follows } from './follows.svelte';
 import { applyUpdate } from './stream-updates';
@@ -55,6 +56,7 @@ export class Station {
   readonly runs = new Runs(this.rest.runs);
   readonly follows = new Follows(this.rest.follows);
   readonly dispatches = new Dispatches(this.rest.dispatches);
+  readonly recoveries = new Recoveries(this.rest.recoveries);
   /** undefined: not asked yet; null: nobody is signed in. */
   session = $state.raw<Session | null | undefined>(undefined);
   /** The reason for which the session ended, unless the user signed out. */
@@ -198,10 +200,9 @@ export class Station {
     this.#stream.stop();
     this.signedOut = why;
     this.session = null;
-    const { directory, fleet, leases, zones, virtuals, tours, runs, follows, dispatches } = this;
-    [directory, fleet, leases, zones, virtuals, tours, runs, follows, dispatches].forEach((store) =>
-      store.clear(),
-    );
+    const { directory, fleet, leases, zones, virtuals, tours, runs } = this;
+    const operations = [this.follows, this.dispatches, this.recoveries];
+    [directory, fleet, leases, zones, virtuals, tours, runs, ...operations].forEach((store) => store.clear());
     this.planner.stop();
     this.view.deselect();
     this.view.page = 'map';
@@ -217,6 +218,7 @@ export class Station {
     void this.runs.catchUp();
     void this.follows.catchUp();
     void this.dispatches.catchUp();
+    void this.recoveries.catchUp();
   }
 
   #streamDown(): void {

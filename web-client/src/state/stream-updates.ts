@@ -1,11 +1,14 @@
 import type { StreamMessage } from '../api/types';
 import type { Station } from './station.svelte';
 
-type Stores = Pick<Station, 'zones' | 'virtuals' | 'tours' | 'runs' | 'follows' | 'dispatches'>;
+type Stores = Pick<
+  Station,
+  'zones' | 'virtuals' | 'tours' | 'runs' | 'follows' | 'dispatches' | 'recoveries'
+>;
 
 /** Applies a message about zones, plans or operations to the store that holds them. */
 export function applyUpdate(message: StreamMessage, stores: Stores): void {
-  const { zones, virtuals, tours, runs, follows, dispatches } = stores;
+  const { zones, virtuals, tours, runs, follows, dispatches, recoveries } = stores;
   switch (message.type) {
     case 'zone':
       zones.apply(message.zone);
@@ -41,6 +44,13 @@ export function applyUpdate(message: StreamMessage, stores: Stores): void {
       dispatches.applyNow(message.id, message.now);
       break;
     default:
+      applyRecovery(message, recoveries);
       break;
+  }
+}
+
+function applyRecovery(message: StreamMessage, recoveries: Stores['recoveries']): void {
+  if (message.type === 'recovery') {
+    recoveries.apply(message.recovery);
   }
 }

@@ -220,6 +220,8 @@ class DescribedBoundsTest {
                 post(
                         "/follows",
                         "{\"place\":{\"side\":\"fixed\",\"bearing\":1,\"distance\":1,\"height\":5}," + PLACE + "}"),
+                post("/recoveries/preview", "{\"manner\":\"return\",\"lowest\":5,\"ceiling\":500}"),
+                post("/recoveries", "{\"manner\":\"return\",\"lowest\":5,\"ceiling\":500}"),
                 post("/dispatches", "{\"height\":5,\"minutes\":1," + PLACE + "}"),
                 post("/follows", "{\"place\":{\"side\":\"orbit\",\"turn\":1}," + PLACE + "}"),
                 new Example(

@@ -32,6 +32,7 @@ class OperationKindsTest {
                     "org.dronemap.ws.run",
                     "org.dronemap.ws.follow",
                     "org.dronemap.ws.dispatch",
+                    "org.dronemap.ws.recovery",
                     "org.dronemap.core.operation");
 
     /** Where each is shown: an address of REST, an operation of SOAP, a message of the stream. */
@@ -40,6 +41,8 @@ class OperationKindsTest {
             new Shown("GET /api/v1/runs/{id}", "getRun", "run.RunStreamTopic$RunChanged"),
             "dispatch",
             new Shown("GET /api/v1/dispatches/{id}", "getDispatch", "dispatch.DispatchStreamTopics$DispatchChanged"),
+            "recovery",
+            new Shown("GET /api/v1/recoveries/{id}", "getRecovery", "recovery.RecoveryStreamTopic$RecoveryChanged"),
             "follow",
             new Shown("GET /api/v1/follows/{id}", "getFollow", "follow.FollowStreamTopics$FollowChanged"));
 

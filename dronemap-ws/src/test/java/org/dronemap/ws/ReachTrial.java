@@ -140,7 +140,7 @@ abstract class ReachTrial {
     /** Not what would take the caller's own key or the drone away, nor what is one user's alone. */
     boolean isTried(String operation) {
         return !operation.endsWith(GIVEN)
-                && !kind(operation).matches("access-keys|virtual-drones|plans|runs|follows|dispatches");
+                && !kind(operation).matches("access-keys|virtual-drones|plans|runs|follows|dispatches|recoveries");
     }
 
     String ownThing(String operation) {

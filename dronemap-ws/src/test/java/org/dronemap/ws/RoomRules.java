@@ -52,6 +52,7 @@ final class RoomRules {
                     "organisation: drone key zone",
                     "parameter: command drone",
                     "plan: command drone mission operation",
+                    "recovery: operation",
                     "robotkey: link organisation",
                     "run: drone operation plan zone",
                     "system: history link outlet",

@@ -23,6 +23,7 @@ import org.dronemap.ws.testserver.FakeOidcProvider;
 import org.dronemap.ws.testserver.FollowCalls;
 import org.dronemap.ws.testserver.OrganisationFixture;
 import org.dronemap.ws.testserver.OrganisationMember;
+import org.dronemap.ws.testserver.RecoveryCalls;
 import org.dronemap.ws.testserver.RunCalls;
 import org.dronemap.ws.testserver.ScriptedVehicle;
 import org.dronemap.ws.testserver.SuccessfulCalls;
@@ -68,6 +69,7 @@ abstract class SuccessfulCallTrial {
                 new RunCalls(house, estate),
                 new FollowCalls(house, estate),
                 new DispatchCalls(house, estate),
+                new RecoveryCalls(house, estate),
                 new DescribedCalls(house, estate, other));
     }
 

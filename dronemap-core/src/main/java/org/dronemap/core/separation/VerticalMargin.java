@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
  * armed; how high that lies it has from satellites, up to {@value #BIAS_METERS} m wrong. Two that stand near each other
  * and say that they stand equally high are level; of all others nobody knows.
  */
-final class VerticalMargin {
+public final class VerticalMargin {
     private static final double BIAS_METERS = 5;
     private static final double NEAR_METERS = 500;
     private static final double LEVEL_METERS = 1.5;
@@ -18,7 +18,12 @@ final class VerticalMargin {
 
     /** In metres. */
     static double between(TrackedDrone one, TrackedDrone other) {
-        return areLevel(one.state().home(), other.state().home()) ? 0 : 2 * BIAS_METERS;
+        return between(one.state().home(), other.state().home());
+    }
+
+    /** The same by their homes; null: not known. */
+    public static double between(@Nullable Home one, @Nullable Home other) {
+        return areLevel(one, other) ? 0 : 2 * BIAS_METERS;
     }
 
     private static boolean areLevel(@Nullable Home one, @Nullable Home other) {

@@ -4,6 +4,7 @@ import org.dronemap.cognitive.operation.dispatch.DispatchState;
 import org.dronemap.core.conduct.Operations.Snapshot;
 import org.dronemap.core.time.Time;
 import org.dronemap.ws.operation.DronePool;
+import org.dronemap.ws.operation.OperationEnding;
 import org.dronemap.ws.operation.OwnerRightsCache;
 import org.dronemap.ws.stream.StreamTopic;
 import org.dronemap.ws.stream.delivery.StreamEventRouter;
@@ -16,6 +17,11 @@ import org.springframework.core.annotation.Order;
 @Configuration(proxyBeanMethods = false)
 @Import({DispatchController.class, DispatchService.class, DispatchService.OperationContext.class})
 class DispatchConfiguration {
+    @Bean
+    OperationEnding dispatchEnding(DispatchService dispatches) {
+        return dispatches::cancel;
+    }
+
     @Bean
     @Order(70)
     StreamTopic<Snapshot<DispatchState>> dispatchStreamTopic(DispatchService dispatches) {

@@ -4,6 +4,7 @@ import org.dronemap.cognitive.operation.follow.FollowState;
 import org.dronemap.core.conduct.Operations.Snapshot;
 import org.dronemap.core.time.Time;
 import org.dronemap.ws.operation.DronePool;
+import org.dronemap.ws.operation.OperationEnding;
 import org.dronemap.ws.operation.OwnerRightsCache;
 import org.dronemap.ws.stream.StreamOperation;
 import org.dronemap.ws.stream.StreamTopic;
@@ -17,6 +18,11 @@ import org.springframework.core.annotation.Order;
 @Configuration(proxyBeanMethods = false)
 @Import({FollowController.class, FollowService.class, FollowService.OperationContext.class})
 class FollowConfiguration {
+    @Bean
+    OperationEnding followEnding(FollowService follows) {
+        return follows::stop;
+    }
+
     @Bean
     PhoneReachability phoneReachability(FollowService follows) {
         return new PhoneReachability(follows::reached);

@@ -11,6 +11,7 @@ public enum NotFoundProblem implements ProblemCode {
     WAYPOINT("waypoint-unknown", "waypoint"),
     FOLLOW("follow-unknown", "follow"),
     DISPATCH("dispatch-unknown", "dispatch"),
+    RECOVERY("recovery-unknown", "recovery"),
     VIRTUAL_DRONE("virtual-drone-unknown", "virtual drone"),
     FLIGHT("flight-unknown", "flight"),
     RECORDING("recording-unknown", "recording"),

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.dronemap.cognitive.operation.dispatch.DispatchObjection;
 import org.dronemap.cognitive.operation.follow.FollowObjection;
+import org.dronemap.cognitive.operation.recovery.RecoveryObjection;
 import org.dronemap.cognitive.operation.run.model.RunObjection;
 import org.dronemap.core.operation.Objection;
 import org.dronemap.core.operation.ObjectionCode;
@@ -11,7 +12,7 @@ import org.dronemap.core.operation.ObjectionEntry;
 import org.dronemap.core.operation.OperationObjection;
 import org.dronemap.core.virtual.VirtualDroneObjection;
 
-/** Problem code of why a mission run, a follow, a dispatch or a virtual drone does not do what a user asked of it. */
+/** Problem code of why a mission run, a follow, a dispatch, a recovery or a virtual drone does not do what a user asked of it. */
 public record ObjectionProblem(ObjectionCode code) implements ProblemCode {
     static List<ObjectionProblem> values() {
         return Stream.<ObjectionCode[]>of(
@@ -19,6 +20,7 @@ public record ObjectionProblem(ObjectionCode code) implements ProblemCode {
                         RunObjection.values(),
                         FollowObjection.values(),
                         DispatchObjection.values(),
+                        RecoveryObjection.values(),
                         VirtualDroneObjection.values())
                 .flatMap(Stream::of)
                 .map(ObjectionProblem::new)

@@ -1,6 +1,6 @@
 package org.dronemap.ws.problem;
 
-/** Problem codes of plans that cannot be accepted, changed or flown now, and of follows and dispatches for which there is no drone. */
+/** Problem codes of plans that cannot be accepted, changed or flown now, of follows and dispatches without a drone, and of recoveries. */
 public enum OperationProblem implements ProblemCode {
     PLAN_NOT_FINISHED(ProblemCatalogueEntry.of(
             "plan-not-finished",
@@ -77,7 +77,18 @@ public enum OperationProblem implements ProblemCode {
             "no-drone-to-send",
             RejectionKind.CONFLICT,
             "No drone of the pool that the asker may command can come now.",
-            "The pool has no drone that you may command."));
+            "The pool has no drone that you may command.")),
+    NO_DRONE_TO_RECOVER(ProblemCatalogueEntry.of(
+            "no-drone-to-recover",
+            RejectionKind.CONFLICT,
+            "No drone that the asker may command is in the air, or can be brought down so.",
+            "No drone that you may command is in the air.")),
+    RECOVERY_DOES_NOT_FIT(ProblemCatalogueEntry.of(
+                    "recovery-does-not-fit",
+                    RejectionKind.CONFLICT,
+                    "The drones cannot all come down apart from each other; most says how many have room.",
+                    "5 of 9 drones fit between 20 m and the ceiling of 120 m above their homes, 6.0 m above each other.")
+            .with(ProblemParameter.DRONES, ProblemParameter.MOST));
 
     @SuppressWarnings("ImmutableEnumChecker") // its lists never change
     private final ProblemCatalogueEntry entry;

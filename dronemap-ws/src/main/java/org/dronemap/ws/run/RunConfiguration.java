@@ -3,6 +3,7 @@ package org.dronemap.ws.run;
 import org.dronemap.cognitive.operation.run.RunState;
 import org.dronemap.core.conduct.Operations.Snapshot;
 import org.dronemap.core.time.Time;
+import org.dronemap.ws.operation.OperationEnding;
 import org.dronemap.ws.operation.OwnerRightsCache;
 import org.dronemap.ws.plan.PoolPlanDrones;
 import org.dronemap.ws.schedule.PeriodicTask;
@@ -16,6 +17,11 @@ import org.springframework.core.annotation.Order;
 @Configuration(proxyBeanMethods = false)
 @Import({RunController.class, RunService.class, RunService.OperationContext.class, RunJournalService.class})
 class RunConfiguration {
+    @Bean
+    OperationEnding runEnding(RunService runs) {
+        return runs::stop;
+    }
+
     @Bean
     @Order(40)
     StreamTopic<Snapshot<RunState>> runStreamTopic(RunService runs) {

@@ -7,6 +7,9 @@ import org.dronemap.cognitive.operation.dispatch.DispatchState;
 import org.dronemap.cognitive.operation.follow.FollowInput;
 import org.dronemap.cognitive.operation.follow.FollowOperation;
 import org.dronemap.cognitive.operation.follow.FollowState;
+import org.dronemap.cognitive.operation.recovery.RecoveryInput;
+import org.dronemap.cognitive.operation.recovery.RecoveryOperation;
+import org.dronemap.cognitive.operation.recovery.RecoveryState;
 import org.dronemap.cognitive.operation.run.MissionRunOperation;
 import org.dronemap.cognitive.operation.run.RunState;
 import org.dronemap.cognitive.operation.run.model.RunInput;
@@ -21,12 +24,14 @@ import org.dronemap.core.separation.SeparationBoard;
 import org.dronemap.core.time.Time;
 import org.dronemap.ws.journal.DispatchJournalCodec;
 import org.dronemap.ws.journal.FollowJournalCodec;
+import org.dronemap.ws.journal.RecoveryJournalCodec;
 import org.dronemap.ws.journal.RunJournalCodec;
 
 /**
- * The components that conduct operations, with the three kinds there are: mission runs, follows and
- * dispatches.
+ * The components that conduct operations, with the four kinds there are: mission runs, follows,
+ * dispatches and recoveries.
  *
+ * @param apart what is kept between any two drones
  * @param board where all operations say what they mean to do, and see to whom their drones give way
  */
 public record OperationComponents(
@@ -34,6 +39,8 @@ public record OperationComponents(
         OperationKind<RunState, RunInput> kind,
         OperationKind<FollowState, FollowInput> follows,
         OperationKind<DispatchState, DispatchInput> dispatches,
+        OperationKind<RecoveryState, RecoveryInput> recoveries,
+        Separation apart,
         SeparationBoard board) {
     /** Stored with each mission run. */
     private static final String MISSION_RUN = "missionRun";
@@ -43,6 +50,9 @@ public record OperationComponents(
 
     /** Stored with each dispatch. */
     private static final String DISPATCH = "dispatch";
+
+    /** Stored with each recovery. */
+    private static final String RECOVERY = "recovery";
 
     /** Begun before anybody conducts anything: who gives way to whom is known before drones are judged by it. */
     static SeparationConductor separation(
@@ -66,11 +76,15 @@ public record OperationComponents(
                 new OperationKind<>(FOLLOW, new FollowOperation(apart), new FollowJournalCodec());
         OperationKind<DispatchState, DispatchInput> dispatches =
                 new OperationKind<>(DISPATCH, new DispatchOperation(), new DispatchJournalCodec());
+        OperationKind<RecoveryState, RecoveryInput> recoveries =
+                new OperationKind<>(RECOVERY, new RecoveryOperation(), new RecoveryJournalCodec());
         return new OperationComponents(
-                new Operations(cloud, store, rights, board, time, List.of(kind, follows, dispatches)),
+                new Operations(cloud, store, rights, board, time, List.of(kind, follows, dispatches, recoveries)),
                 kind,
                 follows,
                 dispatches,
+                recoveries,
+                apart,
                 board);
     }
 }

@@ -9,6 +9,8 @@ import org.dronemap.cognitive.operation.dispatch.DispatchInput;
 import org.dronemap.cognitive.operation.dispatch.DispatchState;
 import org.dronemap.cognitive.operation.follow.FollowInput;
 import org.dronemap.cognitive.operation.follow.FollowState;
+import org.dronemap.cognitive.operation.recovery.RecoveryInput;
+import org.dronemap.cognitive.operation.recovery.RecoveryState;
 import org.dronemap.cognitive.operation.run.RunState;
 import org.dronemap.cognitive.operation.run.model.RunInput;
 import org.dronemap.core.access.AccessStore;
@@ -29,6 +31,7 @@ import org.dronemap.core.mission.MissionStore;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.process.ProcessStart;
 import org.dronemap.core.recording.RecordingArchive;
+import org.dronemap.core.separation.Separation;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.ZoneRegistry;
 import org.dronemap.core.zone.ZoneStore;
@@ -193,6 +196,16 @@ class ServerComponentsConfiguration {
     @Part
     OperationKind<DispatchState, DispatchInput> dispatchKind(ServerComponents server) {
         return server.runs().dispatches();
+    }
+
+    @Part
+    OperationKind<RecoveryState, RecoveryInput> recoveryKind(ServerComponents server) {
+        return server.runs().recoveries();
+    }
+
+    @Part
+    Separation separation(ServerComponents server) {
+        return server.runs().apart();
     }
 
     @Part

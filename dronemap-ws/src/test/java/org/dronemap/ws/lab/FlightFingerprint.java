@@ -54,7 +54,7 @@ final class FlightFingerprint {
 
     /** Journals, commands of those drones and virtual drones, as they were kept. */
     void note(MemoryStores stores, List<DroneId> drones) {
-        for (String kind : List.of("missionRun", "follow", "dispatch")) {
+        for (String kind : List.of("missionRun", "follow", "dispatch", "recovery")) {
             for (SavedOperation operation : stores.operations().latest(OrganisationId.HOME, kind, MOST_OPERATIONS)) {
                 note(operation.toString());
                 stores.operations().journal(operation.id(), 0, MOST_ENTRIES).forEach(entry -> note(entry.toString()));

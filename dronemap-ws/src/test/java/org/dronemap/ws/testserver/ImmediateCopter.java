@@ -146,6 +146,19 @@ public final class ImmediateCopter {
         vehicle.says(new DroneEvent.PhaseReported(FlightPhase.IN_AIR));
     }
 
+    /** It hovers above its home. */
+    public void isAloft(CloudManager cloud) {
+        armed = true;
+        isIn("GUIDED");
+        isInTheAir();
+        ConditionWait.until(
+                "it is known to be in the air",
+                () -> cloud.drone(new DroneId(vehicle.id()))
+                        .filter(state -> state.airborne()
+                                && Boolean.TRUE.equals(state.armed())
+                                && "GUIDED".equals(state.mode())));
+    }
+
     /** What it was steered by. */
     public List<Setpoint> setpoints() {
         return vehicle.setpoints();

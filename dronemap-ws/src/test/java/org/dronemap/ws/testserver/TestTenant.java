@@ -103,6 +103,7 @@ public final class TestTenant implements AutoCloseable {
                 end(supervisor, "/api/v1/" + kind, "stop");
             }
             end(supervisor, "/api/v1/dispatches", "cancel");
+            end(supervisor, "/api/v1/recoveries", "cancel");
             copters.forEach(ImmediateCopter::isOnGround);
         }
         for (ScriptedVehicle vehicle : vehicles) {

@@ -37,6 +37,7 @@ import org.dronemap.ws.parameter.ParameterService;
 import org.dronemap.ws.plan.PlanJobExecutor;
 import org.dronemap.ws.plan.PlanService;
 import org.dronemap.ws.plan.PoolPlanDrones;
+import org.dronemap.ws.recovery.RecoveryService;
 import org.dronemap.ws.run.RunJournalService;
 import org.dronemap.ws.run.RunPoolScheduler;
 import org.dronemap.ws.run.RunService;
@@ -72,6 +73,7 @@ public final class SteppedServer implements AutoCloseable {
     private final RunService runs;
     private final FollowService follows;
     private final DispatchService dispatches;
+    private final RecoveryService recoveries;
     private final ZoneService zones;
     private final VirtualDroneService virtuals;
     private final WarehouseService warehouse;
@@ -117,6 +119,11 @@ public final class SteppedServer implements AutoCloseable {
         joinOthers(running, pool, time);
         follows = follows(operations, cloud, time);
         dispatches = dispatches(operations, cloud, time);
+        recoveries = new RecoveryService(
+                new RecoveryService.OperationContext(
+                        operations.operations(), operations.recoveries(), cloud, operations.apart()),
+                List.of(runs::stop, follows::stop, dispatches::cancel),
+                time);
         VirtualDroneViewMapper views = new VirtualDroneViewMapper(cloud, house.virtuals());
         virtuals = new VirtualDroneService(house.virtuals(), views, time);
         warehouse = new WarehouseService(house.virtuals(), drones);
@@ -250,6 +257,10 @@ public final class SteppedServer implements AutoCloseable {
 
     public DispatchService dispatches() {
         return dispatches;
+    }
+
+    public RecoveryService recoveries() {
+        return recoveries;
     }
 
     public ZoneService zones() {

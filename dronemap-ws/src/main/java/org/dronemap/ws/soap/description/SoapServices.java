@@ -33,6 +33,8 @@ public record SoapServices(Map<String, SoapService> services, XmlTypes types, Ma
             List.of("Follows"),
             "DispatchService",
             List.of("Dispatches"),
+            "RecoveryService",
+            List.of("Recoveries"),
             "PlanningService",
             List.of("Plans", "Mission runs", "Zones"),
             "VirtualDroneService",

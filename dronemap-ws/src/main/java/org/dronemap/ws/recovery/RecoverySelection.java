@@ -1,0 +1,182 @@
+package org.dronemap.ws.recovery;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.dronemap.cognitive.operation.recovery.RecoveryDrone;
+import org.dronemap.cognitive.operation.recovery.RecoveryManner;
+import org.dronemap.cognitive.operation.recovery.RecoveryOrder;
+import org.dronemap.core.access.Principal;
+import org.dronemap.core.access.Role;
+import org.dronemap.core.cloud.CloudManager;
+import org.dronemap.core.command.Command;
+import org.dronemap.core.command.Refusal;
+import org.dronemap.core.drone.Capability;
+import org.dronemap.core.drone.DroneId;
+import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.Home;
+import org.dronemap.core.drone.LinkState;
+import org.dronemap.core.drone.Position;
+import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.geo.Geodetic;
+import org.dronemap.core.lease.Lease;
+import org.dronemap.core.lease.LeaseHolder;
+import org.dronemap.core.mission.Altitude;
+import org.dronemap.ws.problem.NotFoundProblem;
+import org.dronemap.ws.problem.Rejection;
+import org.jspecify.annotations.Nullable;
+
+/** Chooses the drones of a recovery among those that its user may command, and says why each of the others is left alone. */
+final class RecoverySelection {
+    private static final double BETWEEN_HEIGHTS_METERS = 5;
+
+    private final CloudManager cloud;
+    private final Principal principal;
+    private final RecoveryOrder order;
+    private final boolean takeOver;
+
+    /**
+     * Drones that come, and those that are left alone.
+     *
+     * @param highest above each drone's home, the most that it may fly home at
+     */
+    record Chosen(List<DroneState> drones, Map<DroneId, Double> highest, List<RecoveryPreview.LeftOutView> leftOut) {
+        double highest(DroneId drone) {
+            return highest.getOrDefault(drone, RecoveryOrder.USUAL_CEILING_METERS);
+        }
+
+        /** Those that are heard, as they are planned for. */
+        List<RecoveryDrone> standing() {
+            List<RecoveryDrone> standing = new ArrayList<>();
+            for (DroneState drone : drones) {
+                Position position = drone.position();
+                Home home = drone.home();
+                Geodetic point = point(drone);
+                Double height = position == null ? null : position.altitudeAboveHomeMeters();
+                if (drone.link().state() == LinkState.LIVE && point != null && height != null && home != null) {
+                    standing.add(new RecoveryDrone(drone.id(), drone.name(), point, height, home, highest(drone.id())));
+                }
+            }
+            return standing;
+        }
+    }
+
+    RecoverySelection(CloudManager cloud, Principal principal, RecoveryOrder order, boolean takeOver) {
+        this.cloud = cloud;
+        this.principal = principal;
+        this.order = order;
+        this.takeOver = takeOver;
+    }
+
+    static @Nullable Geodetic point(DroneState drone) {
+        Position position = drone.position();
+        return position == null ? null : position.point();
+    }
+
+    /** {@code named}: null: all in the air. */
+    Chosen choose(@Nullable List<@Nullable String> named) {
+        List<DroneState> drones = new ArrayList<>();
+        Map<DroneId, Double> highest = new LinkedHashMap<>();
+        List<RecoveryPreview.LeftOutView> leftOut = new ArrayList<>();
+        for (DroneState drone : named == null ? all() : named(named)) {
+            Optional<String> why = whyNot(drone);
+            if (why.isPresent()) {
+                leftOut.add(new RecoveryPreview.LeftOutView(drone.id().value(), drone.name(), why.get()));
+            } else {
+                drones.add(drone);
+                highest.put(drone.id(), highest(drone));
+            }
+        }
+        return new Chosen(drones, highest, leftOut);
+    }
+
+    private List<DroneState> all() {
+        return cloud.drones().stream()
+                .filter(drone -> !drone.replay() && drone.airborne() && principal.may(Role.OPERATOR, drone.id()))
+                .toList();
+    }
+
+    private List<DroneState> named(List<@Nullable String> ids) {
+        return ids.stream().distinct().map(this::named).toList();
+    }
+
+    private DroneState named(@Nullable String id) {
+        return cloud.drones().stream()
+                .filter(drone -> drone.id().value().equals(id) && principal.sees(drone.id()))
+                .findFirst()
+                .orElseThrow(() -> Rejection.unknown(NotFoundProblem.DRONE, String.valueOf(id)));
+    }
+
+    private Optional<String> whyNot(DroneState drone) {
+        if (!principal.may(Role.OPERATOR, drone.id())) {
+            return Optional.of("You may not command it.");
+        }
+        if (drone.replay() || !drone.airborne()) {
+            return Optional.of("It is not in the air.");
+        }
+        VehicleKind kind = drone.identification().kind();
+        if (kind != VehicleKind.MULTICOPTER && kind != VehicleKind.HELICOPTER) {
+            return Optional.of("It cannot wait in the air for its turn; call it home by itself.");
+        }
+        return whyNotHeld(drone).or(() -> whyUnable(drone));
+    }
+
+    private Optional<String> whyUnable(DroneState drone) {
+        Command last = order.manner() == RecoveryManner.LAND ? new Command.Land() : new Command.ReturnToLaunch();
+        Set<Capability> able = drone.capabilities().commands();
+        boolean can = able.contains(Capability.HOLD)
+                && able.contains(last.needs())
+                && (order.manner() == RecoveryManner.LAND || able.contains(Capability.GO_TO));
+        if (!can) {
+            return Optional.of("It cannot hold and come down when it is told to.");
+        }
+        if (drone.link().state() != LinkState.LIVE) {
+            return Optional.empty();
+        }
+        Position position = drone.position();
+        if (drone.home() == null
+                || point(drone) == null
+                || position == null
+                || position.altitudeAboveHomeMeters() == null) {
+            return Optional.of("Where it is, or where its home is, is not known.");
+        }
+        return cloud.gate().whyNot(principal, drone, last).map(Refusal::sentence);
+    }
+
+    /** By the rules of control: what others hold is for supervisors, and what the same user's operations hold for takeOver. */
+    private Optional<String> whyNotHeld(DroneState drone) {
+        Lease tenure = cloud.controls().control(drone.id()).tenure();
+        if (tenure == null || tenure.holder().is(principal.name())) {
+            return Optional.empty();
+        }
+        LeaseHolder holder = tenure.holder();
+        boolean mine = holder instanceof LeaseHolder.Pilot
+                || holder.userName().filter(principal.name()::equals).isPresent();
+        boolean may = mine || principal.may(Role.SUPERVISOR, drone.id());
+        if (takeOver && may) {
+            return Optional.empty();
+        }
+        String held = cloud.controls().control(drone.id()).sentence();
+        return Optional.of(may ? held + " Ask with takeOver to take it over." : held);
+    }
+
+    /** As zones let it climb where it is. */
+    private double highest(DroneState drone) {
+        Geodetic point = point(drone);
+        if (point == null
+                || order.manner() == RecoveryManner.LAND
+                || drone.link().state() != LinkState.LIVE) {
+            return order.ceilingMeters();
+        }
+        for (double height = order.ceilingMeters(); height >= order.lowestMeters(); height -= BETWEEN_HEIGHTS_METERS) {
+            Command climb = new Command.GoTo(point, Altitude.aboveHome(height));
+            if (cloud.gate().whyNot(principal, drone, climb).isEmpty()) {
+                return height;
+            }
+        }
+        return order.ceilingMeters();
+    }
+}
