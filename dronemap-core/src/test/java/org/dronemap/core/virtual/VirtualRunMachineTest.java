@@ -296,19 +296,14 @@ class VirtualRunMachineTest {
     @Test
     void takesADroneThatDoesNotMoveOnForFallen() {
         flyTo(2);
-        stands(25);
+        still = Duration.ofSeconds(25);
         assertThat(sent(null)).isNull();
 
-        stands(35);
+        still = Duration.ofSeconds(35);
         assertThat(sent(null)).isEqualTo(new Command.ReturnToLaunch());
         drone.mode = "RTL";
         assertThat(step(new Outcome.Succeeded()).release()).isEqualTo(VirtualRunStep.Release.FREE);
         assertThat(run.stage()).isEqualTo(VirtualRunStage.QUEUED);
-    }
-
-    private void stands(int seconds) {
-        now = now.plusSeconds(seconds);
-        still = Duration.ofSeconds(seconds);
     }
 
     @Test
@@ -323,7 +318,7 @@ class VirtualRunMachineTest {
                 .bound(VirtualFixtures.choiceOf("d1"), 20.0, VirtualFixtures.NOW);
         flyTo(2);
         assertThat(run.flown()).isEqualTo(1);
-        stands(62);
+        still = Duration.ofSeconds(62);
 
         assertThat(sent(null)).isNull();
         assertThat(run.stage()).isEqualTo(VirtualRunStage.FLYING);
@@ -397,6 +392,7 @@ class VirtualRunMachineTest {
 
     private VirtualRunObservation sight(
             @Nullable Outcome outcome, @Nullable String takenBy, Duration silence, boolean mayFly) {
-        return new VirtualRunObservation(drone.state(), takenBy, outcome, false, silence, still, mayFly, null, now);
+        return new VirtualRunObservation(
+                drone.state(), takenBy, outcome, false, silence, still, mayFly, null, now.plus(still));
     }
 }

@@ -1,5 +1,7 @@
 package org.dronemap.ws.plan;
 
+import org.dronemap.core.conduct.TakeOffClearance;
+import org.dronemap.core.separation.Separation;
 import org.dronemap.core.time.Time;
 import org.springframework.context.annotation.Bean;
 import org.springframework.context.annotation.Configuration;
@@ -12,5 +14,10 @@ class PlanConfiguration {
     @Bean
     PlanJobExecutor planJobExecutor(Time time) {
         return new PlanJobExecutor(PlanJobExecutor.Limits.of(time.parallelism()), time);
+    }
+
+    @Bean
+    PlanService.SeparationContext planSeparation(Separation least, TakeOffClearance clearance) {
+        return new PlanService.SeparationContext(least, clearance);
     }
 }

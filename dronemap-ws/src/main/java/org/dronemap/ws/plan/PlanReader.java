@@ -45,18 +45,20 @@ final class PlanReader {
     static final int FULL_CIRCLE = 360;
 
     private static final double MILLIS = 1_000;
-    private static final PlanningRules RULES =
-            new PlanningRules(Separation.USUAL.aimedFor(), 1 - DroneSelection.WORST_LOSS_PERCENT / 100.0, 3, 5);
+    private static final double LEAST_LINK_QUALITY = 1 - DroneSelection.WORST_LOSS_PERCENT / 100.0;
 
     private final DroneService drones;
     private final PoolPlanDrones pool;
     private final ZoneRegistry zones;
+    private final PlanningRules rules;
     private final Clock clock;
 
-    PlanReader(DroneService drones, PoolPlanDrones pool, ZoneRegistry zones, Clock clock) {
+    /** {@code apart}: what plans keep between any two drones, at least. */
+    PlanReader(DroneService drones, PoolPlanDrones pool, ZoneRegistry zones, Separation apart, Clock clock) {
         this.drones = drones;
         this.pool = pool;
         this.zones = zones;
+        this.rules = new PlanningRules(apart.aimedFor(), LEAST_LINK_QUALITY, 3, 5);
         this.clock = clock;
     }
 
@@ -70,7 +72,7 @@ final class PlanReader {
         List<Waypoint> waypoints = new PlanWaypointReader(crafts).read(request.waypoints());
         List<Barrier> barriers = PlanBarriers.of(principal.name(), zones, waypoints, crafts, clock.instant());
         try {
-            PlanningProblem problem = new PlanningProblem(waypoints, crafts, barriers, wind, objective, RULES);
+            PlanningProblem problem = new PlanningProblem(waypoints, crafts, barriers, wind, objective, rules);
             Long seed = request.seed();
             return new PlanJobInput(
                     problem, states, search, seed == null ? 1 : seed, request.upTo() == null ? null : request);

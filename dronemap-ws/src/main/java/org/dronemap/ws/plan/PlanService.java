@@ -17,6 +17,7 @@ import org.dronemap.core.conduct.TakeOffClearance;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.Home;
 import org.dronemap.core.geo.Geodesy;
+import org.dronemap.core.separation.Separation;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.ZoneRegistry;
 import org.dronemap.ws.access.Caller;
@@ -44,6 +45,9 @@ public final class PlanService {
 
     private static final Duration LONGEST_AT_START = Duration.ofSeconds(2);
 
+    /** What keeps drones apart that fly plans: in the plans, and before they rise. */
+    public record SeparationContext(Separation least, TakeOffClearance clearance) {}
+
     private final PlanJobExecutor desk;
     private final PoolPlanDrones pool;
     private final PlanReader reader;
@@ -59,14 +63,14 @@ public final class PlanService {
             CommandService commands,
             PoolPlanDrones pool,
             ZoneRegistry zones,
-            TakeOffClearance clearance,
+            SeparationContext apart,
             Time time) {
         this.desk = desk;
         this.pool = pool;
-        this.reader = new PlanReader(drones, pool, zones, time.clock());
+        this.reader = new PlanReader(drones, pool, zones, apart.least(), time.clock());
         this.drones = drones;
         this.commands = commands;
-        this.clearance = clearance;
+        this.clearance = apart.clearance();
         this.clock = time.clock();
         this.random = time.random();
     }

@@ -110,8 +110,9 @@ public final class SteppedServer implements AutoCloseable {
         closing.add("the plans", jobs);
         PoolPlanDrones pool = new PoolPlanDrones(cloud, house.virtuals()::warehouse);
         OperationComponents operations = house.runs();
-        TakeOffClearance clearance = new TakeOffClearance(operations.board(), time);
-        plans = new PlanService(jobs, drones, commands, pool, cloud.zones(), clearance, time);
+        PlanService.SeparationContext apart =
+                new PlanService.SeparationContext(operations.apart(), new TakeOffClearance(operations.board(), time));
+        plans = new PlanService(jobs, drones, commands, pool, cloud.zones(), apart, time);
         RunService.OperationContext running =
                 new RunService.OperationContext(operations.operations(), operations.kind(), cloud);
         runs = new RunService(running, plans, drones, time);
