@@ -104,8 +104,8 @@ class RecoveriesTest {
                         .text("detail"))
                 .contains("ceiling");
         assertThat(operator.post(PATH, "{\"manner\":\"return\",\"drones\":[\"nosuch\"]}")
-                        .status())
-                .isEqualTo(404);
+                        .text("detail"))
+                .contains("There is no drone of this id");
         assertThat(tenant.http(Role.PLANNER).post(PATH, ALL).status()).isEqualTo(403);
         assertThat(operator.get(PATH + "/cnosuch").status()).isEqualTo(404);
         assertThat(one.performed()).isEmpty();

@@ -25,8 +25,6 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.Lease;
 import org.dronemap.core.lease.LeaseHolder;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.ws.problem.NotFoundProblem;
-import org.dronemap.ws.problem.Rejection;
 import org.jspecify.annotations.Nullable;
 
 /** Chooses the drones of a recovery among those that its user may command, and says why each of the others is left alone. */
@@ -81,6 +79,15 @@ final class RecoverySelection {
         List<DroneState> drones = new ArrayList<>();
         Map<DroneId, Double> highest = new LinkedHashMap<>();
         List<RecoveryPreview.LeftOutView> leftOut = new ArrayList<>();
+        if (named != null) {
+            named.stream()
+                    .distinct()
+                    .filter(id -> find(id).isEmpty())
+                    .map(String::valueOf)
+                    .map(id -> new RecoveryPreview.LeftOutView(
+                            id, id, "There is no drone of this id, or you do not see it."))
+                    .forEach(leftOut::add);
+        }
         for (DroneState drone : named == null ? all() : named(named)) {
             Optional<String> why = whyNot(drone);
             if (why.isPresent()) {
@@ -100,14 +107,13 @@ final class RecoverySelection {
     }
 
     private List<DroneState> named(List<@Nullable String> ids) {
-        return ids.stream().distinct().map(this::named).toList();
+        return ids.stream().distinct().flatMap(id -> find(id).stream()).toList();
     }
 
-    private DroneState named(@Nullable String id) {
+    private Optional<DroneState> find(@Nullable String id) {
         return cloud.drones().stream()
                 .filter(drone -> drone.id().value().equals(id) && principal.sees(drone.id()))
-                .findFirst()
-                .orElseThrow(() -> Rejection.unknown(NotFoundProblem.DRONE, String.valueOf(id)));
+                .findFirst();
     }
 
     private Optional<String> whyNot(DroneState drone) {

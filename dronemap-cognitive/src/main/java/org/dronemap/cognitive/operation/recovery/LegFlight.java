@@ -177,30 +177,32 @@ final class LegFlight {
     }
 
     private RecoveryLeg progressed() {
-        boolean land = state.order().manner() == RecoveryManner.LAND;
         boolean over = look.place().home() != null && homeMeters() < OVER_HOME_METERS;
-        if (look.flight().homing()) {
-            RecoveryStep step = land || over ? RecoveryStep.DESCENDING : RecoveryStep.UNDER_WAY;
-            return leg.step().isBefore(step) ? leg.at(step, land ? Purpose.LAND : Purpose.RETURN) : leg;
-        }
+        return look.flight().homing() ? homing(over) : sent(over);
+    }
+
+    private RecoveryLeg homing(boolean over) {
+        boolean land = state.order().manner() == RecoveryManner.LAND;
+        RecoveryStep step = land || over ? RecoveryStep.DESCENDING : RecoveryStep.UNDER_WAY;
+        return leg.step().isBefore(step) ? leg.at(step, land ? Purpose.LAND : Purpose.RETURN) : leg;
+    }
+
+    private RecoveryLeg sent(boolean over) {
         RecoverySlot slot = leg.slot();
-        if (leg.sent() != Purpose.GO_TO || slot == null || leg.issued() != null) {
+        if (leg.sent() != Purpose.GO_TO
+                || slot == null
+                || leg.issued() != null
+                || !look.flight().stands()) {
             return leg;
         }
-        if (leg.step() == RecoveryStep.LEVELLING && hasCome(slot.layerMeters())) {
+        if (leg.step() == RecoveryStep.LEVELLING && isWithin(slot.layerMeters(), NEAR_HEIGHT_METERS)) {
             return leg.at(RecoveryStep.LEVEL, null);
         }
-        return leg.step() == RecoveryStep.UNDER_WAY && over && look.flight().stands()
-                ? leg.at(RecoveryStep.OVER_HOME, null)
-                : leg;
+        return leg.step() == RecoveryStep.UNDER_WAY && over ? leg.at(RecoveryStep.OVER_HOME, null) : leg;
     }
 
     private boolean isAt(double meters) {
         return isWithin(meters, AT_HEIGHT_METERS);
-    }
-
-    private boolean hasCome(double meters) {
-        return look.flight().stands() && isWithin(meters, NEAR_HEIGHT_METERS);
     }
 
     private boolean isWithin(double meters, double by) {
