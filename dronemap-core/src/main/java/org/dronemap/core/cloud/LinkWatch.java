@@ -14,7 +14,7 @@ import org.dronemap.core.lease.LeaseHolder;
 import org.dronemap.core.lease.LeaseRules;
 import org.dronemap.core.safety.LinkAct;
 import org.dronemap.core.safety.LinkLossAvoidance;
-import org.dronemap.core.safety.LinkLossAvoidance.Hand;
+import org.dronemap.core.safety.LinkLossAvoidance.Holder;
 import org.dronemap.core.time.Time;
 import org.dronemap.core.zone.RouteObjection;
 import org.dronemap.core.zone.ZoneRules;
@@ -75,7 +75,7 @@ final class LinkWatch {
         avoidance
                 .next(
                         state,
-                        hand(control),
+                        holder(control),
                         FlightFacts.isInMission(state),
                         time.nanos() / 1e9,
                         way -> zones.whyNot(user(control), state, way, clock.instant())
@@ -83,17 +83,17 @@ final class LinkWatch {
                 .ifPresent(this::act);
     }
 
-    private Hand hand(ControlState control) {
+    private Holder holder(ControlState control) {
         Lease tenure = control.tenure();
         if (tenure == null) {
             // Where nobody's drones are not brought home, nothing is done with them for this either.
             boolean brought = drone.isCommandedFromHere() && rules.onLoss() == LeaseRules.OnLoss.RETURN;
-            return brought ? Hand.NOBODY : Hand.OTHERS;
+            return brought ? Holder.NOBODY : Holder.OTHERS;
         }
         if (tenure.holder() instanceof LeaseHolder.Person) {
-            return Hand.USER;
+            return Holder.USER;
         }
-        return tenure.holder() instanceof LeaseHolder.Operation ? Hand.OPERATION : Hand.OTHERS;
+        return tenure.holder() instanceof LeaseHolder.Operation ? Holder.OPERATION : Holder.OTHERS;
     }
 
     private void act(LinkAct act) {

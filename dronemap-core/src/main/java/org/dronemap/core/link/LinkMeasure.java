@@ -30,7 +30,7 @@ final class LinkMeasure {
     private double last;
 
     /**
-     * What is measured, and what counts of it.
+     * The measured quantity, and what counts of it.
      *
      * @param least change that means anything
      * @param share of what is usual that a change has to be

@@ -25,8 +25,8 @@ public final class LinkLossAvoidance {
     private boolean mission;
     private @Nullable Double speed;
 
-    /** Who answers for a drone: that decides who acts. */
-    public enum Hand {
+    /** Holder of a drone: that decides who acts. */
+    public enum Holder {
         /** A user who has control. */
         USER,
         /** A pilot at the vehicle, or another ground station. */
@@ -47,14 +47,14 @@ public final class LinkLossAvoidance {
 
     /** The next act; empty: none. {@code inMission}: it flies by a mission now; {@code seconds}: by any clock. */
     public Optional<LinkAct> next(
-            DroneState drone, Hand hand, boolean inMission, double seconds, LinkActPlanner.WayCheck zones) {
+            DroneState drone, Holder holder, boolean inMission, double seconds, LinkActPlanner.WayCheck zones) {
         LinkTrend trend = drone.link().trend();
-        if (hand == Hand.OPERATION) {
+        if (holder == Holder.OPERATION) {
             rest();
             return Optional.empty();
         }
-        if (hand != Hand.NOBODY) {
-            return warn(trend, hand, seconds);
+        if (holder != Holder.NOBODY) {
+            return warn(trend, holder, seconds);
         }
         return switch (stage) {
             case WATCHING, WARNED ->
@@ -81,11 +81,11 @@ public final class LinkLossAvoidance {
         return stage == Stage.CLIMBED || stage == Stage.SLOWED;
     }
 
-    private Optional<LinkAct> warn(LinkTrend trend, Hand hand, double seconds) {
+    private Optional<LinkAct> warn(LinkTrend trend, Holder holder, double seconds) {
         if (stage != Stage.WARNED && trend.isFalling()) {
             to(Stage.WARNED, seconds);
             return Optional.of(LinkAct.warn(trend.words()
-                    + (hand == Hand.USER
+                    + (holder == Holder.USER
                             ? " Let it return home, or bring it nearer or higher, while it can be told."
                             : " Whoever flies it should bring it nearer or higher.")));
         }

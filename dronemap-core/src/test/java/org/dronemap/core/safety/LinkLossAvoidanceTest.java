@@ -8,7 +8,7 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.drone.LinkStatus;
 import org.dronemap.core.drone.LinkTrend;
-import org.dronemap.core.safety.LinkLossAvoidance.Hand;
+import org.dronemap.core.safety.LinkLossAvoidance.Holder;
 import org.junit.jupiter.api.Test;
 
 class LinkLossAvoidanceTest {
@@ -61,20 +61,20 @@ class LinkLossAvoidanceTest {
                 old.groundAmslMeters());
     }
 
-    private Optional<LinkAct> after(double seconds, LinkTrend trend, Hand hand, boolean inMission) {
+    private Optional<LinkAct> after(double seconds, LinkTrend trend, Holder holder, boolean inMission) {
         now += seconds;
-        return avoidance.next(drone(trend), hand, inMission, now, zones);
+        return avoidance.next(drone(trend), holder, inMission, now, zones);
     }
 
     private LinkAct.Kind kindAfter(double seconds, LinkTrend trend) {
-        return after(seconds, trend, Hand.NOBODY, true).map(LinkAct::kind).orElse(null);
+        return after(seconds, trend, Holder.NOBODY, true).map(LinkAct::kind).orElse(null);
     }
 
     @Test
     void climbsAndGoesOnWithItsMissionWhenThatHelps() {
         assertThat(kindAfter(0, FALLING)).isEqualTo(LinkAct.Kind.CLIMB);
         assertThat(kindAfter(10, WORSE)).isNull();
-        Optional<LinkAct> act = after(10, STEADY, Hand.NOBODY, false);
+        Optional<LinkAct> act = after(10, STEADY, Holder.NOBODY, false);
         assertThat(act.map(LinkAct::kind)).contains(LinkAct.Kind.GO_ON);
         assertThat(act.map(LinkAct::command)).containsInstanceOf(Command.StartMission.class);
     }
@@ -110,23 +110,23 @@ class LinkLossAvoidanceTest {
 
     @Test
     void warnsOnceWhoHasItInHand() {
-        Optional<LinkAct> act = after(0, FALLING, Hand.USER, false);
+        Optional<LinkAct> act = after(0, FALLING, Holder.USER, false);
         assertThat(act.map(LinkAct::kind)).contains(LinkAct.Kind.WARN);
-        assertThat(after(1, FALLING, Hand.USER, false)).isEmpty();
-        assertThat(after(1, WORSE, Hand.USER, false)).isEmpty();
-        assertThat(after(1, FALLING, Hand.USER, false)).isEmpty();
-        assertThat(after(1, STEADY, Hand.USER, false)).isEmpty();
-        assertThat(after(1, FALLING, Hand.USER, false).map(LinkAct::kind)).contains(LinkAct.Kind.WARN);
+        assertThat(after(1, FALLING, Holder.USER, false)).isEmpty();
+        assertThat(after(1, WORSE, Holder.USER, false)).isEmpty();
+        assertThat(after(1, FALLING, Holder.USER, false)).isEmpty();
+        assertThat(after(1, STEADY, Holder.USER, false)).isEmpty();
+        assertThat(after(1, FALLING, Holder.USER, false).map(LinkAct::kind)).contains(LinkAct.Kind.WARN);
     }
 
     @Test
     void actsAsSoonAsNobodyHasItAnyMore() {
-        assertThat(after(0, FALLING, Hand.USER, false)).isPresent();
+        assertThat(after(0, FALLING, Holder.USER, false)).isPresent();
         assertThat(kindAfter(5, FALLING)).isEqualTo(LinkAct.Kind.CLIMB);
     }
 
     @Test
     void leavesItToAnOperation() {
-        assertThat(after(0, FALLING, Hand.OPERATION, true)).isEmpty();
+        assertThat(after(0, FALLING, Holder.OPERATION, true)).isEmpty();
     }
 }

@@ -99,7 +99,7 @@ public record DroneView(
             boolean proved,
             @Nullable String hardwareId) {}
 
-    /** Where the quality goes, compared with how this link usually is; falling: it is expected to be lost soon. */
+    /** The trend of a link's quality, compared with how it usually is; falling: it is expected to be lost soon. */
     @Schema(name = "DroneLinkTrendView")
     public record TrendView(
             @EnumValues(LinkTrend.State.class) String state,

@@ -45,7 +45,7 @@ public final class PlanService {
 
     private static final Duration LONGEST_AT_START = Duration.ofSeconds(2);
 
-    /** What keeps drones apart that fly plans: in the plans, and before they rise. */
+    /** The separation of drones that fly plans: the least distance in them, and the clearance before they rise. */
     public record SeparationContext(Separation least, TakeOffClearance clearance) {}
 
     private final PlanJobExecutor desk;

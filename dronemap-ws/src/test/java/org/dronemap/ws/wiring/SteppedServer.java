@@ -106,13 +106,9 @@ public final class SteppedServer implements AutoCloseable {
         steering = new SteeringService(cloud, drones, budgets);
         zones = new ZoneService(
                 new ZoneService.Stores(house.zones(), cloud.zones(), house.access()), drones, time.clock());
-        PlanJobExecutor jobs = new PlanJobExecutor(PlanJobExecutor.Limits.of(time.parallelism()), time);
-        closing.add("the plans", jobs);
         PoolPlanDrones pool = new PoolPlanDrones(cloud, house.virtuals()::warehouse);
         OperationComponents operations = house.runs();
-        PlanService.SeparationContext apart =
-                new PlanService.SeparationContext(operations.apart(), new TakeOffClearance(operations.board(), time));
-        plans = new PlanService(jobs, drones, commands, pool, cloud.zones(), apart, time);
+        plans = plans(operations, pool, time);
         RunService.OperationContext running =
                 new RunService.OperationContext(operations.operations(), operations.kind(), cloud);
         runs = new RunService(running, plans, drones, time);
@@ -120,11 +116,7 @@ public final class SteppedServer implements AutoCloseable {
         joinOthers(running, pool, time);
         follows = follows(operations, cloud, time);
         dispatches = dispatches(operations, cloud, time);
-        recoveries = new RecoveryService(
-                new RecoveryService.OperationContext(
-                        operations.operations(), operations.recoveries(), cloud, operations.apart()),
-                List.of(runs::stop, follows::stop, dispatches::cancel),
-                time);
+        recoveries = recoveries(operations, cloud, time);
         VirtualDroneViewMapper views = new VirtualDroneViewMapper(cloud, house.virtuals());
         virtuals = new VirtualDroneService(house.virtuals(), views, time);
         warehouse = new WarehouseService(house.virtuals(), drones);
@@ -149,6 +141,22 @@ public final class SteppedServer implements AutoCloseable {
     private void joinOthers(RunService.OperationContext context, PoolPlanDrones pool, Time time) {
         OwnerRightsCache owners = new OwnerRightsCache(house.access(), house.grantBook(), time);
         closing.add("the pool of runs", RunPoolScheduler.start(context, pool, owners, time));
+    }
+
+    private PlanService plans(OperationComponents operations, PoolPlanDrones pool, Time time) {
+        PlanJobExecutor jobs = new PlanJobExecutor(PlanJobExecutor.Limits.of(time.parallelism()), time);
+        closing.add("the plans", jobs);
+        PlanService.SeparationContext apart =
+                new PlanService.SeparationContext(operations.apart(), new TakeOffClearance(operations.board(), time));
+        return new PlanService(jobs, drones, commands, pool, house.cloud().zones(), apart, time);
+    }
+
+    private RecoveryService recoveries(OperationComponents operations, CloudManager cloud, Time time) {
+        return new RecoveryService(
+                new RecoveryService.OperationContext(
+                        operations.operations(), operations.recoveries(), cloud, operations.apart()),
+                List.of(runs::stop, follows::stop, dispatches::cancel),
+                time);
     }
 
     private FollowService follows(OperationComponents operations, CloudManager cloud, Time time) {
