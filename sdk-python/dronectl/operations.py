@@ -13,7 +13,9 @@ _RUN = "a rare turn of what is under way: by the page, or by call"
 #: The operations that commands are made of, with the command.
 COMMANDS: dict[str, str] = {
     "acceptPlan": "plan accept",
+    "beginRecovery": "return",
     "cancelDispatch": "dispatch cancel",
+    "cancelRecovery": "recovery cancel",
     "addMission": "mission save",
     "addUser": "users add",
     "addVirtualDrone": "virtual add",
@@ -34,6 +36,7 @@ COMMANDS: dict[str, str] = {
     "getFollow": "follow walk",
     "getLogFile": "logs download",
     "getDispatch": "send",
+    "getRecovery": "return",
     "getPlan": "plan show",
     "getRecordingFile": "record download",
     "getRun": "run show",
@@ -52,6 +55,7 @@ COMMANDS: dict[str, str] = {
     "listDispatches": "dispatch list",
     "listPlans": "plan list",
     "listRecordings": "record list",
+    "listRecoveries": "recovery list",
     "listRuns": "run list",
     "listUsers": "users list",
     "listVirtualDrones": "virtual list",
@@ -68,6 +72,7 @@ COMMANDS: dict[str, str] = {
     "renewAccessKey": "keys renew",
     "replayRecording": "record replay",
     "reportFollowPositions": "follow report",
+    "previewRecovery": "return",
     "resetPassword": "users reset-password",
     "resumeVirtualDrone": "virtual continue",
     "sendDrone": "send",

@@ -154,7 +154,7 @@ return [
         'DroneHomeView' => ['latitude' => 'double', 'longitude' => 'double', 'altitudeAmsl' => 'double'],
         'DroneIdentityView' => ['evidence' => 'string', 'proved' => 'boolean', 'hardwareId' => 'string|null'],
         'DroneLinkTrendView' => ['state' => 'string', 'secondsLeft' => 'int|null', 'sentence' => 'string'],
-        'DroneLinkView' => ['address' => 'string', 'port' => 'int', 'systemId' => 'int', 'transport' => 'string', 'state' => 'string', 'lastHeard' => 'dateTime|null', 'quality' => 'DroneQualityView', 'trend' => 'DroneLinkTrendView', 'others' => 'list of string', 'outdated' => 'list of DroneOutdatedView'],
+        'DroneLinkView' => ['address' => 'string', 'port' => 'int', 'systemId' => 'int', 'transport' => 'string', 'state' => 'string', 'lastHeard' => 'dateTime|null', 'quality' => 'DroneQualityView', 'trend' => 'DroneLinkTrendView|null', 'others' => 'list of string', 'outdated' => 'list of DroneOutdatedView'],
         'DroneLocalView' => ['x' => 'double', 'y' => 'double', 'z' => 'double|null', 'yaw' => 'double|null'],
         'DroneMessageView' => ['severity' => 'string', 'text' => 'string', 'at' => 'dateTime'],
         'DroneMissionView' => ['items' => 'list of MissionItemView|null', 'current' => 'int|null', 'reached' => 'list of int', 'total' => 'int|null', 'running' => 'boolean', 'state' => 'string|null', 'notice' => 'string|null', 'hash' => 'string|null'],

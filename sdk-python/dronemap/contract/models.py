@@ -3234,7 +3234,10 @@ class DroneLinkView(Model):
     state: Literal["live", "suspect", "lost", "ended"] | str
     system_id: int
     transport: str
-    trend: DroneLinkTrendView
+    trend: DroneLinkTrendView | None = None
+    """
+    Null: the server is older than this, and does not tell it
+    """
 
 
 class FenceCircleView(Model):

@@ -346,7 +346,8 @@ export interface components {
             /** Format: int32 */
             systemId: number;
             transport: string;
-            trend: components["schemas"]["DroneLinkTrendView"];
+            /** @description Null: the server is older than this, and does not tell it */
+            trend: components["schemas"]["DroneLinkTrendView"] | null;
         };
         DroneLocalView: {
             /** Format: double */

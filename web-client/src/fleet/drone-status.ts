@@ -81,10 +81,10 @@ export function linkStateText(state: LinkState, cut = false): string {
 
 /** The same in the list, where a link that is heard but gets worse than it usually is shows at a glance. */
 export function linkMark({ state, trend }: Drone['link'], cut = false): { words: string; tone: Tone } {
-  if (!cut && state === 'live' && trend.state === 'falling') {
+  if (!cut && state === 'live' && trend?.state === 'falling') {
     return { words: 'Link falling', tone: 'red' };
   }
-  return !cut && state === 'live' && trend.state === 'worse'
+  return !cut && state === 'live' && trend?.state === 'worse'
     ? { words: 'Link worse', tone: 'amber' }
     : { words: linkStateText(state, cut), tone: 'neutral' };
 }

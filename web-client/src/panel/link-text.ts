@@ -16,11 +16,11 @@ export function linkQualityText(quality: LinkQuality | undefined): string {
 }
 
 /** What is to be said of where the link goes; nothing while it is as it usually is, or that is not known. */
-export function linkTrendText(trend: LinkTrend | undefined): string | null {
+export function linkTrendText(trend: LinkTrend | null | undefined): string | null {
   return trend?.state === 'worse' || trend?.state === 'falling' ? trend.sentence : null;
 }
 
-export function trendTone(trend: LinkTrend | undefined): Tone {
+export function trendTone(trend: LinkTrend | null | undefined): Tone {
   return trend?.state === 'falling' ? 'red' : 'amber';
 }
 

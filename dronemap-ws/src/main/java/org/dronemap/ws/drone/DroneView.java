@@ -78,6 +78,8 @@ public record DroneView(
             @EnumValues(LinkState.class) String state,
             @Nullable Instant lastHeard,
             QualityView quality,
+
+            @Schema(description = "Null: the server is older than this, and does not tell it") @Nullable
             TrendView trend,
 
             @Schema(description = "Further addresses on which the same vehicle is heard")
