@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.SplittableRandom;
 import java.util.stream.Stream;
 import org.dronemap.ws.lab.LaboratorySetup;
 import org.junit.jupiter.api.Tag;
@@ -26,6 +27,10 @@ class SeparationTrialTest {
             Optional.ofNullable(System.getenv("DRONEMAP_TRIAL_SEEDS")).orElse("two-runs.1-2");
     private static final Path ROOT = Path.of("..").toAbsolutePath().normalize();
     private static final Path FOLDER = Path.of("target", "separation", UNIT);
+    /** The server is killed at a moment that chance chooses. */
+    private static final String KILLED = "killed-at-any-moment";
+
+    private static final double FIRST_MOMENT = 5;
     private static final double BEFORE = 8;
     private static final int MOMENTS = 100;
     private static final double TENTHS = 10;
@@ -48,6 +53,10 @@ class SeparationTrialTest {
     }
 
     private static void fly(String name, long seed, List<String> folders) {
+        if (name.equals(KILLED)) {
+            keep(killed(seed), folders);
+            return;
+        }
         Optional<Scenario> scenario = Arrays.stream(Scenario.values())
                 .filter(one -> one.words().equals(name))
                 .findFirst();
@@ -66,6 +75,15 @@ class SeparationTrialTest {
         for (int number = 0; number < MOMENTS; number++) {
             keep(flight.together(disturbance, first + number / TENTHS), folders);
         }
+    }
+
+    /** Vehicles are left to themselves for good, or for a while. */
+    private static FlownTogether killed(long seed) {
+        SeparationFlight flight = SeparationFlight.of(Scenario.MIXED, seed);
+        SplittableRandom chance = new SplittableRandom(seed);
+        Disturbance how = chance.nextBoolean() ? Disturbance.KILLED : Disturbance.RESTARTED;
+        double moment = Math.round(chance.nextDouble(FIRST_MOMENT, flight.lastSecond()) * TENTHS) / TENTHS;
+        return flight.together(how, moment);
     }
 
     private static void keep(FlownTogether flown, List<String> folders) {
