@@ -19,8 +19,6 @@ final class FollowCommands {
 
     private static final Duration PAUSE = Duration.ofSeconds(3);
     private static final int MOST_TRIES = 3;
-    /** By then it was seen whether another drone is in the way of its take-off. */
-    private static final Duration UNTIL_LOOKED = Duration.ofSeconds(1);
 
     private FollowState state;
     private final List<OperationAction<FollowInput>> actions = new ArrayList<>();
@@ -49,7 +47,7 @@ final class FollowCommands {
         } else if (look.waitsOnTheGround()) {
             state = state.noted(state.order().chosen().name() + " waits on the ground until another drone has passed.");
         } else if (!look.armed()) {
-            if (!at.isBefore(state.since().plus(UNTIL_LOOKED))) {
+            if (look.mayRise()) {
                 state = state.noted(null);
                 send(IssuedCommand.Purpose.ARM, new Command.Arm());
             }

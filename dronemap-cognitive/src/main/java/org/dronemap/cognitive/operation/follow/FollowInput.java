@@ -82,11 +82,12 @@ public sealed interface FollowInput {
      * @param modes null: written before anybody asked for them
      * @param fallingLink why its link is expected to be lost soon, as a sentence; null: it is not
      * @param giveWay to whom it gives way where it is not led; null: to nobody
+     * @param unchecked nobody can know yet whether another drone is in the way of its take-off; null: that is known
      */
     @Stored(
             names = "takenBy silentSeconds armed airborne guided homing mode batteryPercent homeMeters grip modes "
-                    + "fallingLink giveWay",
-            later = "modes fallingLink giveWay")
+                    + "fallingLink giveWay unchecked",
+            later = "modes fallingLink giveWay unchecked")
     record Observation(
             @Nullable String whyNotHeld,
             int silentSeconds,
@@ -100,7 +101,8 @@ public sealed interface FollowInput {
             @Nullable ControlRestriction restriction,
             @Nullable ModeMeaning modes,
             @Nullable String fallingLink,
-            @Nullable GiveWay giveWay) {
+            @Nullable GiveWay giveWay,
+            @Nullable Boolean unchecked) {
         /** Its link is not expected to be lost, and nobody is in its way. */
         public Observation(
                 @Nullable String whyNotHeld,
@@ -127,12 +129,17 @@ public sealed interface FollowInput {
                     restriction,
                     modes,
                     null,
+                    null,
                     null);
         }
 
         /** Before it rises, another drone has to pass. */
         boolean waitsOnTheGround() {
             return giveWay != null && !armed;
+        }
+
+        boolean mayRise() {
+            return !Boolean.TRUE.equals(unchecked);
         }
 
         /** It was told to stand, or to step aside, and may not go on yet. */
@@ -155,7 +162,8 @@ public sealed interface FollowInput {
                     restriction,
                     told,
                     fallingLink,
-                    giveWay);
+                    giveWay,
+                    unchecked);
         }
     }
 

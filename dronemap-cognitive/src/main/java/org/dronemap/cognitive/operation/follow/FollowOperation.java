@@ -36,6 +36,9 @@ import org.jspecify.annotations.Nullable;
 
 /** The state machine of a phone follow: turns each input into a new state and commands to drones. */
 public final class FollowOperation implements Operation<FollowState, FollowInput> {
+    /** By then it is known whether another drone is in the way of its take-off. */
+    private static final Duration UNTIL_CHECKED = Duration.ofSeconds(1);
+
     private static final Duration RHYTHM = Duration.ofMillis(100);
     /** So long without a position, and whoever watches is told: the drone has held for a second then. */
     private static final Duration ASKS = Duration.ofSeconds(3);
@@ -121,10 +124,18 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
     }
 
     private static @Nullable Observation look(FollowState state, OperationObservation scene) {
-        return scene.of(state.drone()).map(seen -> look(state, seen)).orElse(null);
+        return scene.of(state.drone())
+                .map(seen -> look(state, seen, scene.now()))
+                .orElse(null);
     }
 
-    private static Observation look(FollowState state, OperationObservation.ObservedDrone seen) {
+    private static @Nullable Boolean unchecked(FollowState state, Instant now) {
+        boolean early = state.stage() == FollowStage.STARTING
+                && now.isBefore(state.since().plus(UNTIL_CHECKED));
+        return early ? Boolean.TRUE : null;
+    }
+
+    private static Observation look(FollowState state, OperationObservation.ObservedDrone seen, Instant now) {
         DroneState drone = seen.state();
         OperationObservation.ControlStatus sway = seen.control();
         Battery battery = drone.battery();
@@ -147,7 +158,8 @@ public final class FollowOperation implements Operation<FollowState, FollowInput
                 new FollowInput.ModeMeaning(
                         drone.capabilities().mode(Steering.ORDERS).orElse(null), steering == Steering.HOME),
                 drone.link().trend().isFalling() ? drone.link().trend().words() : null,
-                seen.giveWay());
+                seen.giveWay(),
+                unchecked(state, now));
     }
 
     @Override
