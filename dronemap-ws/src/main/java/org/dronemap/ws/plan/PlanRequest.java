@@ -94,7 +94,7 @@ public record PlanRequest(
             @Schema(description = "What a drone must be able to do for it, such as takePicture") @Nullable
             List<@Nullable String> needs,
 
-            @Schema(description = "What is done there, in order; up to 10") @Size(max = PlanTaskReader.MOST) @Nullable
+            @Schema(description = "What is done there, in order; up to 10") @Size(max = PlanTaskRequest.MOST) @Nullable
             List<@Nullable PlanTaskRequest> tasks) {
         public WaypointRequest called(String name) {
             return new WaypointRequest(

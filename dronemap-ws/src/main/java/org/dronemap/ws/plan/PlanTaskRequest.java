@@ -5,6 +5,8 @@ import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import io.swagger.v3.oas.annotations.media.Schema;
 import jakarta.validation.constraints.Max;
 import jakarta.validation.constraints.Min;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.ToDoubleFunction;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
@@ -12,8 +14,11 @@ import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.mission.WaypointTask;
 import org.dronemap.ws.mission.MissionReader;
 import org.dronemap.ws.problem.InvalidInput;
+import org.dronemap.ws.problem.ProblemParameter;
+import org.dronemap.ws.problem.ValueProblem;
 import org.dronemap.ws.reading.FieldRanges;
 import org.dronemap.ws.reading.ObjectOnlyTypeResolver;
+import org.dronemap.ws.reading.RecordAlternatives;
 import org.jspecify.annotations.Nullable;
 import tools.jackson.databind.annotation.JsonTypeResolver;
 
@@ -30,6 +35,43 @@ import tools.jackson.databind.annotation.JsonTypeResolver;
         name = "PlanTaskRequest",
         description = "Something that is done at a waypoint; which members there are depends on the type.")
 public sealed interface PlanTaskRequest {
+    /** More are not done at one waypoint. */
+    int MOST = 10;
+
+    /**
+     * The planner's tasks, or a refusal of the faulty field.
+     *
+     * @param amslMeters what an altitude as written means above the sea
+     */
+    static List<WaypointTask> read(
+            String at, @Nullable List<@Nullable PlanTaskRequest> asked, ToDoubleFunction<@Nullable Double> amslMeters) {
+        if (asked == null) {
+            return List.of();
+        }
+        if (asked.size() > MOST) {
+            throw InvalidInput.outside(
+                    ValueProblem.SIZE_OUT_OF_RANGE,
+                    at,
+                    "up to " + MOST + " tasks",
+                    asked.size(),
+                    ProblemParameter.MOST.is(MOST));
+        }
+        List<WaypointTask> tasks = new ArrayList<>();
+        for (int index = 0; index < asked.size(); index++) {
+            String field = at + "[" + index + "].";
+            PlanTaskRequest task = asked.get(index);
+            if (task == null) {
+                throw InvalidInput.missing(
+                        field + "type",
+                        RecordAlternatives.of(PlanTaskRequest.class)
+                                .orElseThrow()
+                                .allowed());
+            }
+            tasks.add(task.read(field, amslMeters));
+        }
+        return tasks;
+    }
+
     /**
      * Throws {@link InvalidInput} where a member cannot be used.
      *

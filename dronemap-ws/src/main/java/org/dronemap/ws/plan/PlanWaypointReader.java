@@ -98,8 +98,8 @@ public final class PlanWaypointReader {
         Double hold = asked.holdSeconds();
         double seconds = hold == null ? 0 : FieldRanges.holdSeconds(at + "holdSeconds", hold);
         Set<Skill> needs = new HashSet<>(needs(at, asked.needs()));
-        List<WaypointTask> parts = new PlanTaskReader(meters -> amslMeters(at, meters, asked.altitudeReference()))
-                .read(at + "tasks", asked.tasks());
+        List<WaypointTask> parts = PlanTaskRequest.read(
+                at + "tasks", asked.tasks(), meters -> amslMeters(at, meters, asked.altitudeReference()));
         if (parts.stream().anyMatch(WaypointTask.Photo.class::isInstance)) {
             needs.add(Skill.of(Capability.TAKE_PICTURE));
         }
