@@ -16,11 +16,13 @@ from dronemap_e2e.server import Server
 
 SERVICES = (
     "AccountService",
+    "DispatchService",
     "FleetService",
     "FollowerService",
     "MAVLinkControllerService",
     "PlanningService",
     "RecordService",
+    "RecoveryService",
     "ServerService",
     "VirtualDroneService",
 )
