@@ -62,8 +62,13 @@ class FlightClient:
         return str(self.drone["id"])
 
     @property
+    def operates(self) -> bool:
+        """An operation has it, which stands aside for others."""
+        return self.case.kind in OPERATIONS
+
+    @property
     def height(self) -> float:
-        """A height of its own, so that nobody gives way to anybody."""
+        """A height of its own, so that few give way to others."""
         return 15.0 + 4 * ((self.case.number - 1) % 6)
 
     @property
@@ -145,12 +150,12 @@ class FlightClient:
         return SteeringClient(self.server, self.key, self.id, forward, by, ticket)
 
     def is_flying(self) -> bool:
-        """In the air, and in the mode of its kind."""
+        """In the air, and in the mode of its kind, or standing there while it gives way to another one."""
         now = self.admin.drone(self.id)
         if not self._above(4) or not now["armed"]:
             return False
         mode = {"mission": "AUTO", "run": "AUTO", "virtual": "AUTO", "sticks": "LOITER"}
-        return bool(now["mode"] == mode.get(self.case.kind, "GUIDED"))
+        return now["mode"] in (mode.get(self.case.kind, "GUIDED"), "GUIDED" if self.operates else "")
 
     def _above(self, metres: float) -> bool:
         position = self.admin.drone(self.id)["position"]
