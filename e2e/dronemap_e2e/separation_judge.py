@@ -208,7 +208,7 @@ def find_breaches(tracks: Tracks, limits: Limits) -> tuple[Approach, list[Approa
 
 
 def unserved_waypoints(tracks: Tracks, operations: list[dict[str, Any]], served: float) -> list[str]:
-    """Waypoints that no vehicle passed within `served` metres, of operations that were to serve all of theirs."""
+    """Waypoints that no vehicle passed within `served` metres, of operations that owe all of theirs."""
     return [
         f"{operation['name']} waypoint {waypoint['name']} by {passed:.1f} m"
         for operation in operations
