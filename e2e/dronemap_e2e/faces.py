@@ -259,7 +259,9 @@ class CommandLineFace:
         return [drone["id"] for drone in json.loads(self._run("drones", "--json").stdout)["drones"]]
 
     def control(self, drone: str, operation: str) -> Json:
-        told: Json = json.loads(self._run("call", operation, f"id={drone}").stdout)
+        done = self._run("call", operation, f"id={drone}")
+        assert done.returncode == 0, done.stderr
+        told: Json = json.loads(done.stdout)
         return told
 
     def command(self, drone: str, body: Json) -> Said:

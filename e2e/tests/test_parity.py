@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
+from threading import Barrier
 from typing import Any
 
 import pytest
@@ -62,9 +63,10 @@ def flights(
     # Before the flights, which it would slow down.
     java_example.built(server)
     awake = {name: vehicles.wake_next() for name in FACES}
+    all_up = Barrier(len(FACES), timeout=180)
     with ThreadPoolExecutor(len(FACES)) as pool:
         under_way = {
-            name: pool.submit(flight, name, server, system_id, tmp_path_factory.mktemp("flight"))
+            name: pool.submit(flight, name, server, system_id, tmp_path_factory.mktemp("flight"), all_up)
             for name, system_id in awake.items()
         }
     for system_id in awake.values():
@@ -72,7 +74,7 @@ def flights(
     yield {name: flown.result() for name, flown in under_way.items()}
 
 
-def flight(name: str, server: Server, system_id: int, folder: Path) -> Flown:
+def flight(name: str, server: Server, system_id: int, folder: Path, all_up: Barrier) -> Flown:
     api = Api(server.address, server.local_key())
     drone = wait_for("the copter is ready", lambda: api.ready(system_id), 90)
     pilot = new_user(server, api, "operator")
@@ -83,7 +85,13 @@ def flight(name: str, server: Server, system_id: int, folder: Path) -> Flown:
     face = FACES[name](server, pilot.api.new_key("parity", "operator"), folder)
     flown = Flown()
     try:
+        flown.seen = ["this drone" if each == drone["id"] else each for each in face.drones()]
+        # Programs that start take the time of those that hold control for seconds only.
+        all_up.wait()
         fly(face, api, drone, flown, granted.json()["id"])
+    except BaseException:
+        all_up.abort()
+        raise
     finally:
         face.close()
     flown.recorded = recorded(api, drone, pilot.name)
@@ -92,9 +100,8 @@ def flight(name: str, server: Server, system_id: int, folder: Path) -> Flown:
 
 
 def fly(face: Face, api: Api, drone: Json, flown: Flown, grant: str) -> None:
-    """List, control, arm, take off, mission, return, a refusal, bad input, a revoked grant."""
+    """Control, arm, take off, mission, return, a refusal, bad input, a revoked grant."""
     id = drone["id"]
-    flown.seen = ["this drone" if each == id else each for each in face.drones()]
     for operation in ("takeControl", "releaseControl"):
         told = face.control(id, operation)
         flown.control.append((told["state"], told["explicit"], told["holder"] is None))

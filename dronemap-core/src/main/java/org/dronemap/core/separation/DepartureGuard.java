@@ -1,6 +1,7 @@
 package org.dronemap.core.separation;
 
 import java.time.Duration;
+import java.time.Instant;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -35,8 +36,15 @@ final class DepartureGuard {
     /** Over its home nobody climbs from here to make room. */
     private static final double HIGHEST_OVER_METERS = 80;
 
-    /** Where no moment is found by then at which its whole flight is clear, it sets off. */
-    private static final Duration LONGEST_PROOF = Duration.ofSeconds(30);
+    /**
+     * On the ground: where no moment is found by then at which its whole flight is clear, it sets off. So long, and a share of how
+     * long it flies.
+     */
+    private static final double LONGEST_PROOF_SECONDS = 20;
+
+    private static final double LONGEST_PROOF_SHARE = 0.25;
+    /** The same in the air, since it began to give way. */
+    private static final Duration LONGEST_STAND = Duration.ofSeconds(30);
 
     private final SeparationRound round;
     private final FlightProof proof;
@@ -54,7 +62,7 @@ final class DepartureGuard {
             TrackSample here = round.far.here(drone);
             departing.put(drone.id(), here == null ? List.of() : List.of(round.far.mission(drone, here)));
             if (here != null) {
-                proof.counts(drone, here);
+                proof.counts(drone, FlightProof.Way.MISSION);
             }
         });
         round.picture.drones().stream()
@@ -92,22 +100,25 @@ final class DepartureGuard {
                 .filter(other -> ways(other).stream()
                         .anyMatch(way -> up.stream().anyMatch(mine -> isInTheWay(drone, mine, way, other))))
                 .findFirst()
-                .or(() -> mayWait(drone) ? proof.meets(drone, here) : Optional.empty());
+                .or(() -> unproved(drone, here));
         above.ifPresentOrElse(other -> waitFor(drone, other), () -> {
             round.yielding.remove(drone.id());
             if (isUnderWay(drone)) {
                 departing.put(drone.id(), up);
-                proof.counts(drone, here);
+                proof.counts(drone, FlightProof.Way.MISSION);
             }
         });
     }
 
     /** On the ground a drone waits for free, but not for ever: in the air it is kept apart as well. */
-    private boolean mayWait(TrackedDrone drone) {
+    private Optional<TrackedDrone> unproved(TrackedDrone drone, TrackSample here) {
         FlightIntent intent = drone.intent();
-        return intent != null
-                && !intent.commanded()
-                && Duration.between(intent.since(), round.picture.now()).compareTo(LONGEST_PROOF) < 0;
+        if (intent == null || intent.commanded()) {
+            return Optional.empty();
+        }
+        double longest = LONGEST_PROOF_SECONDS + LONGEST_PROOF_SHARE * round.far.missionSeconds(drone, here);
+        double waited = Duration.between(intent.since(), round.picture.now()).toMillis() / 1e3;
+        return waited < longest ? proof.meets(drone, here, FlightProof.Way.MISSION) : Optional.empty();
     }
 
     /** One that cannot be armed yet does not keep those beside it on the ground for ever. */
@@ -194,13 +205,18 @@ final class DepartureGuard {
     private void checkStand(TrackedDrone drone, TrackSample here, Yielding own) {
         boolean home = goesHome(drone);
         Track mine = home ? round.far.homeward(drone, here) : round.far.mission(drone, here);
-        boolean clear = isClear(drone, mine, home || !rolls(drone));
+        boolean free = isClear(drone, mine, home || !rolls(drone));
+        boolean clear = free && isProved(drone, here, own, home);
         Yielding next = clear ? own.mayGoOn(round.picture.now()) : own.mayNotGoOn();
         round.yielding.put(drone.id(), next);
         if (clear) {
             if (next.isSettingOff(round.picture.now())) {
                 departing.put(drone.id(), List.of(mine, mine.after(STRIDES_TO_GO)));
+                proof.counts(drone, home ? FlightProof.Way.HOME : FlightProof.Way.MISSION);
             }
+            return;
+        }
+        if (free) {
             return;
         }
         Duration lasting = own.lasting(round.picture.now());
@@ -210,6 +226,15 @@ final class DepartureGuard {
         if (home && lasting.compareTo(LONGEST_YIELD) > 0) {
             climbOver(drone, here, own);
         }
+    }
+
+    /** Who was told already that it may go on stays told. */
+    private boolean isProved(TrackedDrone drone, TrackSample here, Yielding own, boolean home) {
+        Instant now = round.picture.now();
+        return own.give().clear()
+                || own.lasting(now).compareTo(LONGEST_STAND) > 0
+                || proof.meets(drone, here, home ? FlightProof.Way.HOME : FlightProof.Way.MISSION)
+                        .isEmpty();
     }
 
     private boolean isClear(TrackedDrone drone, Track mine, boolean mayRoll) {

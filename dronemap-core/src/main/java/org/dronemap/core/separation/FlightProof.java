@@ -3,56 +3,118 @@ package org.dronemap.core.separation;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Proof, before a drone sets off, that its whole mission stays clear of the missions that others fly: with it they stay
- * apart even if nobody can command them any more. The later a moment, the less exactly it is known who is where then.
- * Used once, by one thread.
+ * Proof, before a drone sets off, that the whole of its way stays clear of those that others fly: with it they stay apart
+ * even if nobody can command them any more. The later a moment, the less exactly it is known who is where then. Used
+ * once, by one thread.
  */
 final class FlightProof {
     /** Flights that last longer are proved for so long. */
     private static final double LONGEST_SECONDS = 900;
-    /** From now on, and as a share of the time until then. */
-    private static final double EARLY_OR_LATE_SECONDS = 2;
-
-    private static final double EARLY_OR_LATE_SHARE = 0.06;
+    /** Of drones of two operations. */
+    private static final Tolerance UNPLANNED = new Tolerance(2, 0.06);
+    /** Of one plan: its drones are as near as they may be where it goes as planned. */
+    private static final Tolerance PLANNED = new Tolerance(0.5, 0.02);
 
     private final SeparationRound round;
-    /** Those that set off now, of which nobody sees a mission flown yet. */
-    private final Map<DroneId, TrackSample> setOff = new HashMap<>();
+    /** Those that set off now, of which nobody sees yet what they fly. */
+    private final Map<DroneId, Way> settingOff = new HashMap<>();
+
+    private final Map<DroneId, Optional<Track>> tracks = new HashMap<>();
+    private @Nullable TrackForecast forecast;
+
+    /** What a drone sets off for. */
+    enum Way {
+        MISSION,
+        HOME
+    }
+
+    /** By how much a drone may be early or late: from now on, and as a share of the time until then. */
+    private record Tolerance(double seconds, double share) {}
 
     FlightProof(SeparationRound round) {
         this.round = round;
     }
 
     /** It sets off as well. */
-    void counts(TrackedDrone drone, TrackSample here) {
-        setOff.put(drone.id(), here);
+    void counts(TrackedDrone drone, Way way) {
+        settingOff.put(drone.id(), way);
+        tracks.remove(drone.id());
     }
 
-    /** Another drone whose mission it would meet if it set off now; empty: it stays clear of all. */
-    Optional<TrackedDrone> meets(TrackedDrone drone, TrackSample here) {
-        double seconds = Math.min(LONGEST_SECONDS, round.far.missionSeconds(drone, here));
-        TrackForecast whole = new TrackForecast(round.plane, seconds, round.picture.now());
-        Track mine = whole.mission(drone, here);
+    /** Another drone that it would meet if it set off now; empty: it stays clear of all. */
+    Optional<TrackedDrone> meets(TrackedDrone drone, TrackSample here, Way way) {
+        TrackForecast whole = new TrackForecast(round.plane, seconds(drone, here, way), round.picture.now());
+        Track mine = way == Way.HOME ? whole.homeward(drone, here) : whole.mission(drone, here);
         return round.picture.drones().stream()
-                .filter(other -> !other.id().equals(drone.id()) && !SeparationRound.isPlannedTogether(drone, other))
-                .filter(other -> meet(mine, way(whole, other), round.least(drone, other)))
+                .filter(other -> !other.id().equals(drone.id()))
+                .filter(other -> track(other)
+                        .filter(yours -> meet(mine, yours, drone, other))
+                        .isPresent())
                 .findFirst();
     }
 
-    /** Null: it flies no mission that is known. */
-    private @Nullable Track way(TrackForecast whole, TrackedDrone other) {
-        TrackSample begins = setOff.get(other.id());
-        TrackSample here = begins == null ? round.here(other) : begins;
-        boolean flies = other.state().airborne() && other.isLive() && other.steering() == Steering.MISSION;
-        return here == null || (begins == null && !flies) ? null : whole.mission(other, here);
+    private boolean meet(Track mine, Track yours, TrackedDrone drone, TrackedDrone other) {
+        Tolerance either = SeparationRound.isPlannedTogether(drone, other) ? PLANNED : UNPLANNED;
+        return mine.meets(yours, round.least(drone, other), either.seconds(), either.share());
     }
 
-    private static boolean meet(Track mine, @Nullable Track yours, Separation least) {
-        return yours != null && mine.meets(yours, least, EARLY_OR_LATE_SECONDS, EARLY_OR_LATE_SHARE);
+    private double seconds(TrackedDrone drone, TrackSample here, Way way) {
+        double seconds =
+                way == Way.HOME ? round.far.homewardSeconds(drone, here) : round.far.missionSeconds(drone, here);
+        return Math.min(LONGEST_SECONDS, seconds);
+    }
+
+    /** Empty: it flies no way that is known to its end. */
+    private Optional<Track> track(TrackedDrone other) {
+        return tracks.computeIfAbsent(other.id(), id -> {
+            TrackSample here = round.here(other);
+            Way way = way(other);
+            return here == null || way == null
+                    ? Optional.empty()
+                    : Optional.of(flown(other, here, way).apply(forecast()));
+        });
+    }
+
+    private Function<TrackForecast, Track> flown(TrackedDrone other, TrackSample here, Way way) {
+        double speed = settingOff.containsKey(other.id()) ? 0 : other.speed();
+        return whole -> way == Way.HOME ? whole.homeward(other, here) : whole.mission(other, here, 0, speed);
+    }
+
+    private @Nullable Way way(TrackedDrone other) {
+        Way next = settingOff.get(other.id());
+        Steering steering = other.steering();
+        if (next != null || steering == null || !other.state().airborne() || !other.isLive()) {
+            return next;
+        }
+        return switch (steering) {
+            case MISSION -> Way.MISSION;
+            case HOME -> Way.HOME;
+            case ORDERS, STICKS, STANDS, SAFETY -> null;
+        };
+    }
+
+    /** As long as the longest flight of all. */
+    private TrackForecast forecast() {
+        TrackForecast known = forecast;
+        if (known == null) {
+            double longest = 0;
+            for (TrackedDrone drone : round.picture.drones()) {
+                TrackSample here = round.here(drone);
+                if (here != null) {
+                    longest = Math.max(
+                            longest,
+                            Math.max(seconds(drone, here, Way.MISSION), seconds(drone, here, Way.HOME)));
+                }
+            }
+            known = new TrackForecast(round.plane, longest, round.picture.now());
+            forecast = known;
+        }
+        return known;
     }
 }

@@ -264,13 +264,40 @@ class SeparationGuardTest {
         if (whose.equals("of its own plan")) {
             other.operation = one.operation;
         }
-        now = whose.equals("later") ? now.plusSeconds(40) : now;
+        now = whose.equals("later") ? now.plusSeconds(60) : now;
         look(one, other);
-        if (whose.equals("another's")) {
+        if (!whose.equals("later")) {
             assertThat(give(one).manner()).isEqualTo(GiveWay.Manner.WAIT);
             other.east = -100;
             look(one, other);
         }
         assertThat(yielding).isEmpty();
+    }
+
+    /** It stands longer than the one that it gave way to needs, if it would meet another one later. */
+    @ParameterizedTest
+    @ValueSource(strings = {"another's", "of its own plan"})
+    void doesNotGoOnForWhereItWouldMeetAMissionLongAfterwards(String whose) {
+        FlyingDrone one = new FlyingDrone("a", 0, -400).to(0, 400, 20);
+        one.mode = "GUIDED";
+        one.northward = 0;
+        FlyingDrone passed = new FlyingDrone("c", 0, -900).to(0, -1_500, 20);
+        FlyingDrone other = new FlyingDrone("b", -420, 0).to(500, 0, 20);
+        if (whose.equals("of its own plan")) {
+            other.operation = one.operation;
+        }
+        yielding = Map.of(one.id, stood(passed));
+        look(one, passed, other);
+        assertThat(give(one).clear()).isFalse();
+
+        now = now.plusSeconds(31);
+        look(one, passed, other);
+        assertThat(give(one).clear()).as("not for ever").isTrue();
+
+        now = FlyingDrone.NOW;
+        yielding = Map.of(one.id, stood(passed));
+        other.east = -200;
+        look(one, passed, other);
+        assertThat(give(one).clear()).isTrue();
     }
 }

@@ -8,6 +8,7 @@ import org.dronemap.ws.lab.MissionRunFlight;
 import org.dronemap.ws.lab.Pilot;
 import org.dronemap.ws.plan.PlanRequest;
 import org.dronemap.ws.plan.PlanView;
+import org.dronemap.ws.wiring.SteppedServer;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -36,23 +37,32 @@ record RunParty(
         List<PlanRequest.WaypointRequest> wanted = waypoints.stream()
                 .map(spot -> MissionRunFlight.waypoint(spot.place(), spot.amsl()))
                 .toList();
-        return new RunFlown(lab, pilot, drones, MissionRunFlight.planned(lab, pilot, drones, wanted));
+        return new RunFlown(lab, pilot, drones, wanted, MissionRunFlight.planned(lab, pilot, drones, wanted));
     }
 
     private final class RunFlown implements Flight {
         private final Laboratory lab;
         private final Pilot pilot;
         private final List<LabDrone> drones;
+        private final List<PlanRequest.WaypointRequest> wanted;
         private final PlanView plan;
+        private final SteppedServer planner;
         private @Nullable MissionRunFlight run;
         private long begunNanos;
         private boolean stopped;
 
-        RunFlown(Laboratory lab, Pilot pilot, List<LabDrone> drones, PlanView plan) {
+        RunFlown(
+                Laboratory lab,
+                Pilot pilot,
+                List<LabDrone> drones,
+                List<PlanRequest.WaypointRequest> wanted,
+                PlanView plan) {
             this.lab = lab;
             this.pilot = pilot;
             this.drones = drones;
+            this.wanted = wanted;
             this.plan = plan;
+            this.planner = lab.server();
         }
 
         @Override
@@ -63,7 +73,10 @@ record RunParty(
         @Override
         public void begin() {
             begunNanos = lab.time().nanos();
-            run = MissionRunFlight.begins(lab, pilot, drones, plan, MissionRunFlight.Manner.ON);
+            // A server does not know the plans of the one before it.
+            run = lab.server() == planner
+                    ? MissionRunFlight.begins(lab, pilot, drones, plan, MissionRunFlight.Manner.ON)
+                    : MissionRunFlight.begins(lab, pilot, drones, wanted, MissionRunFlight.Manner.ON);
         }
 
         @Override
