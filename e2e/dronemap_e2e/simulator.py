@@ -72,7 +72,7 @@ class Simulator:
 
     def send_command(self, words: str) -> str:
         """The answer of the control port, up to the line that ends it."""
-        port = wait_for("the control port is open", self._connect, 20)
+        port = self.dial()
         with port, port.makefile("rw", encoding="utf-8", newline="\n") as line:
             line.write(f"{words}\n")
             line.flush()
@@ -82,6 +82,10 @@ class Simulator:
                 if part.startswith(("ok", "err")):
                     break
         return answer
+
+    def dial(self) -> socket.socket:
+        """The control port, for many commands one after the other."""
+        return wait_for("the control port is open", self._connect, 20)
 
     def _connect(self) -> socket.socket | None:
         try:

@@ -22,7 +22,8 @@ FENCE_METRES = 3000
 class SitlDrone:
     """One autopilot and its drone on a server."""
 
-    def __init__(self, api: Api, autopilot: Autopilot, drone: str, proofs: Proofs) -> None:
+    def __init__(self, server: Server, api: Api, autopilot: Autopilot, drone: str, proofs: Proofs) -> None:
+        self.server = server
         self.api = api
         self.autopilot = autopilot
         self.id = drone
@@ -168,14 +169,14 @@ def sitl_drones(folder: Path, columns: list[Column], apart_metres: float = 0) ->
             own = folder / f"vehicle-{system_id}"
             autopilots.append(Autopilot(firmware, own, server.udp_port, system_id, home))
         api = Api(server.address, server.local_key())
-        yield [_listed(api, one, column) for one, column in zip(autopilots, columns, strict=True)]
+        yield [_listed(server, api, one, column) for one, column in zip(autopilots, columns, strict=True)]
     finally:
         for autopilot in autopilots:
             autopilot.close()
         server.stop()
 
 
-def _listed(api: Api, autopilot: Autopilot, column: Column) -> SitlDrone:
+def _listed(server: Server, api: Api, autopilot: Autopilot, column: Column) -> SitlDrone:
     def look() -> Json | None:
         return next(
             (d for d in api.drones() if d["link"]["systemId"] == column.system_id and d["firmware"]), None
@@ -183,7 +184,7 @@ def _listed(api: Api, autopilot: Autopilot, column: Column) -> SitlDrone:
 
     drone = wait_for("it is listed with its firmware", look, 60)
     proofs = Proofs(column.name, f"{column.firmware.vehicle} {drone['firmware']}")
-    return SitlDrone(api, autopilot, drone["id"], proofs)
+    return SitlDrone(server, api, autopilot, drone["id"], proofs)
 
 
 @contextlib.contextmanager

@@ -44,7 +44,7 @@ final class DepartureGuard {
 
     private static final double LONGEST_PROOF_SHARE = 0.25;
     /** The same in the air, since it began to give way. */
-    private static final Duration LONGEST_STAND = Duration.ofSeconds(30);
+    private static final Duration LONGEST_STAND = Duration.ofSeconds(40);
 
     private final SeparationRound round;
     private final FlightProof proof;

@@ -17,9 +17,9 @@ final class FlightProof {
     /** Flights that last longer are proved for so long. */
     private static final double LONGEST_SECONDS = 900;
     /** Of drones of two operations. */
-    private static final Tolerance UNPLANNED = new Tolerance(2, 0.06);
-    /** Of one plan: its drones are as near as they may be where it goes as planned. */
-    private static final Tolerance PLANNED = new Tolerance(0.5, 0.02);
+    private static final Tolerance UNPLANNED = new Tolerance(1, 0.03);
+    /** Of one plan, as long as none of them gave way: its drones are as near as they may be where it goes as planned. */
+    private static final Tolerance PLANNED = new Tolerance(0.5, 0.01);
 
     private final SeparationRound round;
     /** Those that set off now, of which nobody sees yet what they fly. */
@@ -33,6 +33,9 @@ final class FlightProof {
         MISSION,
         HOME
     }
+
+    /** Vehicles cut corners, and fly past them. */
+    private static final double CORNER_METERS = 2;
 
     /** By how much a drone may be early or late: from now on, and as a share of the time until then. */
     private record Tolerance(double seconds, double share) {}
@@ -60,8 +63,10 @@ final class FlightProof {
     }
 
     private boolean meet(Track mine, Track yours, TrackedDrone drone, TrackedDrone other) {
-        Tolerance either = SeparationRound.isPlannedTogether(drone, other) ? PLANNED : UNPLANNED;
-        return mine.meets(yours, round.least(drone, other), either.seconds(), either.share());
+        boolean asPlanned = SeparationRound.isPlannedTogether(drone, other) && round.yielding(drone) == null;
+        Tolerance either = asPlanned ? PLANNED : UNPLANNED;
+        Separation least = round.least(drone, other).plus(asPlanned ? 0 : CORNER_METERS, 0);
+        return mine.meets(yours, least, either.seconds(), either.share());
     }
 
     private double seconds(TrackedDrone drone, TrackSample here, Way way) {
@@ -108,8 +113,7 @@ final class FlightProof {
                 TrackSample here = round.here(drone);
                 if (here != null) {
                     longest = Math.max(
-                            longest,
-                            Math.max(seconds(drone, here, Way.MISSION), seconds(drone, here, Way.HOME)));
+                            longest, Math.max(seconds(drone, here, Way.MISSION), seconds(drone, here, Way.HOME)));
                 }
             }
             known = new TrackForecast(round.plane, longest, round.picture.now());

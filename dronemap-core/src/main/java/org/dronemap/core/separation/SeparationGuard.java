@@ -31,6 +31,7 @@ public final class SeparationGuard {
         YieldingReview.review(round);
         SeparationGuard guard = new SeparationGuard(round);
         guard.pairs(picture.drones());
+        guard.clearWays(picture.drones());
         new DepartureGuard(round).check();
         return round.decision();
     }
@@ -73,11 +74,13 @@ public final class SeparationGuard {
         // Who comes home by itself is the last to be stopped, and not before it must be.
         boolean soon = isConflict(soon(mine), soon(yours), least);
         boolean homeward = mayOnlyComeHome(one) || mayOnlyComeHome(other);
-        boolean solved = waits(one, mine, other, yours, false)
-                || dodge(one, other, true)
+        boolean solved = waits(one, mine, other, yours, new Waiting(false, true))
+                || dodge(one, other, Reach.LASTING)
+                || waits(one, mine, other, yours, new Waiting(false, false))
+                || dodge(one, other, Reach.CLEAR)
                 || (homeward && !soon)
-                || waits(one, mine, other, yours, true)
-                || dodge(one, other, false);
+                || waits(one, mine, other, yours, new Waiting(true, false))
+                || dodge(one, other, Reach.BEST);
         if (!solved) {
             hold(other, one);
             hold(one, other);
@@ -97,20 +100,61 @@ public final class SeparationGuard {
     }
 
     /** One of the two that is on its mission, or on its way home, stands until the other one has passed, where that helps. */
-    private boolean waits(TrackedDrone one, List<Track> mine, TrackedDrone other, List<Track> yours, boolean homeward) {
-        if (other.comesDown() == homeward
-                && mayHold(other)
-                && !isConflict(mine, SeparationRound.stopping(yours), round.least(one, other))) {
+    private boolean waits(TrackedDrone one, List<Track> mine, TrackedDrone other, List<Track> yours, Waiting as) {
+        if (mayWait(other, yours, as) && !isConflict(mine, SeparationRound.stopping(yours), round.least(one, other))) {
             hold(other, one);
             return true;
         }
-        boolean first = one.comesDown() == homeward
-                && mayHold(one)
-                && !isConflict(SeparationRound.stopping(mine), yours, round.least(one, other));
+        boolean first =
+                mayWait(one, mine, as) && !isConflict(SeparationRound.stopping(mine), yours, round.least(one, other));
         if (first) {
             hold(one, other);
         }
         return first;
+    }
+
+    private boolean mayWait(TrackedDrone drone, List<Track> ways, Waiting as) {
+        return drone.comesDown() == as.homeward()
+                && mayHold(drone)
+                && (!as.lasting()
+                        || SeparationRound.stopping(ways).stream()
+                                .allMatch(way -> round.lastingClearance(drone, round.standing(way)) >= 1));
+    }
+
+    /**
+     * Who is asked to wait.
+     *
+     * @param homeward one that comes home
+     * @param lasting only one that stands in nobody's way for as long as it may have to
+     */
+    private record Waiting(boolean homeward, boolean lasting) {}
+
+    /** How good a step aside has to be. */
+    private enum Reach {
+        /** Clear of all for as long as it may have to stand there. */
+        LASTING,
+        /** Clear of all in the next seconds. */
+        CLEAR,
+        /** The best that there is. */
+        BEST
+    }
+
+    /** Who stands for another one makes way early for those whose ways lead there. */
+    private void clearWays(List<TrackedDrone> drones) {
+        for (TrackedDrone drone : drones) {
+            Yielding own = round.yielding(drone);
+            if (own != null && own.isOrdered() && !own.give().clear() && drone.waits() && mayDodge(drone)) {
+                drones.stream()
+                        .filter(other -> !other.id().equals(drone.id()) && isUnderWay(other))
+                        .filter(other -> round.standsInTheWay(drone, other))
+                        .findFirst()
+                        .ifPresent(other -> step(drone, Reach.LASTING).ifPresent(found -> move(drone, other, found)));
+            }
+        }
+    }
+
+    private static boolean isUnderWay(TrackedDrone drone) {
+        return drone.isLive() && drone.state().airborne() && (isOnMission(drone) || drone.isHomeward());
     }
 
     private void hold(TrackedDrone drone, TrackedDrone other) {
@@ -131,9 +175,9 @@ public final class SeparationGuard {
     }
 
     /** One of the two gets out of the way, whose step is smaller. */
-    private boolean dodge(TrackedDrone one, TrackedDrone other, boolean entirely) {
-        Optional<EvasiveMove> mine = step(one, entirely);
-        Optional<EvasiveMove> yours = step(other, entirely);
+    private boolean dodge(TrackedDrone one, TrackedDrone other, Reach reach) {
+        Optional<EvasiveMove> mine = step(one, reach);
+        Optional<EvasiveMove> yours = step(other, reach);
         boolean second = yours.isPresent() && (mine.isEmpty() || yours.get().isBetterThan(mine.get()));
         TrackedDrone who = second ? other : one;
         TrackedDrone whom = second ? one : other;
@@ -146,19 +190,22 @@ public final class SeparationGuard {
         round.move(who, whom, step);
     }
 
-    /** {@code entirely}: only one that leaves it clear of all, and of none that is on its way home. */
-    private Optional<EvasiveMove> step(TrackedDrone drone, boolean entirely) {
+    /** Who is on its way home is moved last. */
+    private Optional<EvasiveMove> step(TrackedDrone drone, Reach reach) {
         TrackSample here = round.near.here(drone);
-        if ((entirely && mayOnlyComeHome(drone)) || here == null || !mayDodge(drone)) {
+        if ((reach != Reach.BEST && mayOnlyComeHome(drone)) || here == null || !mayDodge(drone)) {
             return Optional.empty();
         }
+        boolean lasting = reach == Reach.LASTING;
         return EvasiveMove.of(
                         drone,
                         here,
-                        round.near,
+                        lasting ? round.lasting : round.near,
                         there -> round.mayGo(drone, there),
-                        track -> round.clearance(drone, track, round::near))
-                .filter(found -> !entirely || found.isClear());
+                        track -> lasting
+                                ? round.lastingClearance(drone, track)
+                                : round.clearance(drone, track, round::near))
+                .filter(found -> reach == Reach.BEST || found.isClear());
     }
 
     private boolean mayMove(TrackedDrone drone) {

@@ -20,6 +20,12 @@ final class SeparationRound {
     /** Who goes on must not be stopped again at once. */
     private static final double CLEAR_SECONDS = 14;
 
+    /**
+     * One that stands, and whose server is not there any more, climbs by then to come home by itself
+     * ({@code SafetyTimes.VEHICLE_RETURNS}): until then it is in nobody's way.
+     */
+    private static final double LASTING_SECONDS = 28;
+
     /** Nobody is asked to step farther aside. */
     private static final double ASIDE_METERS = 30;
 
@@ -35,11 +41,13 @@ final class SeparationRound {
     final LocalPlane plane;
     final TrackForecast near;
     final TrackForecast far;
+    final TrackForecast lasting;
     final Map<DroneId, Yielding> yielding;
     private final List<SeparationOrder> orders = new ArrayList<>();
     private final Map<DroneId, TrackSample> places = new HashMap<>();
     private final Map<DroneId, List<Track>> nearTracks = new HashMap<>();
     private final Map<DroneId, List<Track>> farTracks = new HashMap<>();
+    private final Map<DroneId, List<Track>> lastingTracks = new HashMap<>();
 
     SeparationRound(AirspacePicture picture, Map<DroneId, Yielding> before) {
         this.picture = picture;
@@ -51,6 +59,7 @@ final class SeparationRound {
                 .orElse(new Geodetic(0, 0)));
         this.near = new TrackForecast(plane, AHEAD_SECONDS, picture.now());
         this.far = new TrackForecast(plane, CLEAR_SECONDS, picture.now());
+        this.lasting = new TrackForecast(plane, LASTING_SECONDS, picture.now());
         this.yielding = new HashMap<>(before);
     }
 
@@ -62,6 +71,10 @@ final class SeparationRound {
         return farTracks.computeIfAbsent(drone.id(), id -> ordered(drone, far));
     }
 
+    List<Track> lasting(TrackedDrone drone) {
+        return lastingTracks.computeIfAbsent(drone.id(), id -> ordered(drone, lasting));
+    }
+
     /** Who was told to stand, and does not yet, may do either; who stands does. */
     private List<Track> ordered(TrackedDrone drone, TrackForecast forecast) {
         List<Track> tracks = forecast.of(drone);
@@ -70,13 +83,23 @@ final class SeparationRound {
             return tracks;
         }
         if (drone.waits()) {
-            return own.aside() == null ? tracks : aside(drone, own, own.aside(), tracks, forecast);
+            List<Track> stands = own.aside() == null ? tracks : aside(drone, own, own.aside(), tracks, forecast);
+            return own.mayGo(picture.now()) ? withMission(drone, stands, forecast) : stands;
         }
         List<Track> both = new ArrayList<>(stopping(tracks));
         if (own.isUnheeded(picture.now())) {
             both.addAll(tracks);
         }
         return both;
+    }
+
+    private List<Track> withMission(TrackedDrone drone, List<Track> ways, TrackForecast forecast) {
+        List<Track> all = new ArrayList<>(ways);
+        TrackSample here = here(drone);
+        if (here != null) {
+            all.add(forecast.mission(drone, here));
+        }
+        return all;
     }
 
     /** It goes to where it was told to, unless it is there already, or stands all the same. */
@@ -101,14 +124,23 @@ final class SeparationRound {
                 .toList();
     }
 
+    /** Where that way ends, for as long as one that stands may have to. */
+    Track standing(Track way) {
+        return lasting.standing(way.samples().get(way.samples().size() - 1));
+    }
+
     /** Whatever they do, they do not meet while anybody looks ahead; a quick look that spares the close one. */
     boolean areFar(TrackedDrone one, TrackedDrone other) {
+        return areFar(one, other, CLEAR_SECONDS);
+    }
+
+    private boolean areFar(TrackedDrone one, TrackedDrone other, double ahead) {
         TrackSample here = here(one);
         TrackSample there = here(other);
         if (here == null || there == null || one.isLost() || other.isLost()) {
             return false;
         }
-        double seconds = CLEAR_SECONDS + Track.STRIDE_SECONDS;
+        double seconds = ahead + Track.STRIDE_SECONDS;
         double reach = seconds * (fastest(one) + fastest(other))
                 + ASIDE_METERS
                 + least(one, other).horizontalMeters();
@@ -117,6 +149,14 @@ final class SeparationRound {
 
     private static double fastest(TrackedDrone drone) {
         return Math.max(TrackForecast.pace(drone).cruise(), drone.speed());
+    }
+
+    /** It stands where the other one comes by, as long as it may have to stand there. */
+    boolean standsInTheWay(TrackedDrone drone, TrackedDrone other) {
+        Separation least = least(drone, other);
+        return !areFar(drone, other, LASTING_SECONDS)
+                && lasting(drone).stream()
+                        .anyMatch(mine -> lasting(other).stream().anyMatch(yours -> mine.conflicts(yours, least)));
     }
 
     /** Null: it is not known where it is. */
@@ -142,11 +182,20 @@ final class SeparationRound {
         return one.operation() != null && one.operation().equals(other.operation());
     }
 
-    /** The least of what it is apart from all others on such a way. */
+    /** The least of what it is apart from all others on such a way in the next seconds. */
     double clearance(TrackedDrone drone, Track way, Function<TrackedDrone, List<Track>> ways) {
+        return clearance(drone, way, ways, CLEAR_SECONDS);
+    }
+
+    /** The same for as long as one that stands may have to wait until it comes home by itself. */
+    double lastingClearance(TrackedDrone drone, Track way) {
+        return clearance(drone, way, this::lasting, LASTING_SECONDS);
+    }
+
+    private double clearance(TrackedDrone drone, Track way, Function<TrackedDrone, List<Track>> ways, double seconds) {
         double clearance = Double.POSITIVE_INFINITY;
         for (TrackedDrone other : picture.drones()) {
-            if (!other.id().equals(drone.id()) && !areFar(drone, other)) {
+            if (!other.id().equals(drone.id()) && !areFar(drone, other, seconds)) {
                 Separation least = least(drone, other);
                 for (Track track : ways.apply(other)) {
                     clearance = Math.min(clearance, way.clearance(track, least));
@@ -167,6 +216,7 @@ final class SeparationRound {
         orders.add(new SeparationOrder(drone.id(), command, why));
         nearTracks.remove(drone.id());
         farTracks.remove(drone.id());
+        lastingTracks.remove(drone.id());
     }
 
     /** It steps aside for the other one. */

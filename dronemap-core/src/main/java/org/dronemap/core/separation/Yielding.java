@@ -15,6 +15,8 @@ import org.jspecify.annotations.Nullable;
  * @param stood it was seen standing since it was told to
  * @param aside where it steps aside to; null: it stands
  * @param clearSince since when it may go on; null: it may not
+ * @param mayGoUntil it might go on when it was told anew, and its operation may have sent it on in that moment: then it
+ *     shows by then; null: it might not
  */
 public record Yielding(
         GiveWay give,
@@ -22,19 +24,20 @@ public record Yielding(
         Instant busyUntil,
         boolean stood,
         Command.@Nullable GoTo aside,
-        @Nullable Instant clearSince) {
+        @Nullable Instant clearSince,
+        @Nullable Instant mayGoUntil) {
     /** From an order to step aside until it moves. */
     private static final Duration UNTIL_MOVING = Duration.ofMillis(1_500);
     /** From an order to stand until it shows. */
     private static final Duration UNTIL_SEEN = Duration.ofSeconds(3);
 
     static Yielding began(GiveWay give, Instant busyUntil, Command.@Nullable GoTo aside) {
-        return new Yielding(give, give.since(), busyUntil, false, aside, null);
+        return new Yielding(give, give.since(), busyUntil, false, aside, null, null);
     }
 
     /** As it was before a restart: told, and long since standing. */
     public static Yielding restored(GiveWay give) {
-        return new Yielding(give, give.since(), give.since(), true, null, null);
+        return new Yielding(give, give.since(), give.since(), true, null, null, null);
     }
 
     DroneId to() {
@@ -52,11 +55,11 @@ public record Yielding(
 
     Yielding mayGoOn(Instant now) {
         Instant free = clearSince == null ? now : clearSince;
-        return new Yielding(give.withClear(true), since, busyUntil, stood, aside, free);
+        return new Yielding(give.withClear(true), since, busyUntil, stood, aside, free, null);
     }
 
     Yielding mayNotGoOn() {
-        return new Yielding(give.withClear(false), since, busyUntil, stood, aside, null);
+        return new Yielding(give.withClear(false), since, busyUntil, stood, aside, null, mayGoUntil);
     }
 
     /** It may go on, and does so in the next moments: others count with it. */
@@ -65,17 +68,24 @@ public record Yielding(
     }
 
     Yielding seenStanding() {
-        return stood ? this : new Yielding(give, since, busyUntil, true, aside, clearSince);
+        return stood ? this : new Yielding(give, since, busyUntil, true, aside, clearSince, mayGoUntil);
     }
 
     /** It gives way to another one, or in another way, from now on. */
     Yielding again(GiveWay next, Instant until, Command.@Nullable GoTo there) {
-        return new Yielding(next, since, until, stood && next.manner() != GiveWay.Manner.WAIT, there, null);
+        Instant told = next.since();
+        Instant goesBy = isSettingOff(told) ? told.plus(UNTIL_MOVING) : mayGoUntil;
+        return new Yielding(next, since, until, stood && next.manner() != GiveWay.Manner.WAIT, there, null, goesBy);
     }
 
     /** The order did not show in time: it was lost, or somebody has it go on. */
     boolean isUnheeded(Instant now) {
         return !stood && Duration.between(give.since(), now).compareTo(UNTIL_SEEN) > 0;
+    }
+
+    /** It may have been sent on by its operation in the moment in which it was told otherwise. */
+    boolean mayGo(Instant now) {
+        return mayGoUntil != null && now.isBefore(mayGoUntil);
     }
 
     /** It was told to step aside so long ago that it moves by now. */

@@ -290,7 +290,7 @@ class SeparationGuardTest {
         look(one, passed, other);
         assertThat(give(one).clear()).isFalse();
 
-        now = now.plusSeconds(31);
+        now = now.plusSeconds(41);
         look(one, passed, other);
         assertThat(give(one).clear()).as("not for ever").isTrue();
 

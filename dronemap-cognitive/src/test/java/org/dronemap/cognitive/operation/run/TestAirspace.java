@@ -58,6 +58,6 @@ final class TestAirspace {
     /** It has been told to make room for the other one, which takes it so long. */
     void makesRoom(DroneId drone, DroneId other, Instant now, long seconds) {
         GiveWay give = new GiveWay(other, "Drone " + other, GiveWay.Manner.MOVE, now, false, "climbs 6 m");
-        yielding = Map.of(drone, new Yielding(give, now, now.plusSeconds(seconds), true, null, null));
+        yielding = Map.of(drone, new Yielding(give, now, now.plusSeconds(seconds), true, null, null, null));
     }
 }
