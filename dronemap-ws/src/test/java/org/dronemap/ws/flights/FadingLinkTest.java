@@ -132,6 +132,32 @@ class FadingLinkTest {
         }
     }
 
+    @Test
+    void isToldOnceMoreWhatItDidNotReceive() {
+        try (Laboratory lab = new Laboratory(1)) {
+            LabDrone drone = lab.copter();
+            Pilot ann = lab.pilot("ann", Role.OPERATOR);
+            ann.plans(drone, 30, drone.place(3_000, 0), drone.place(0, 0))
+                    .does(drone, CommandRequests.arm())
+                    .does(drone, CommandRequests.startMission("continue"));
+            FadingLink link = new FadingLink(lab, drone.wire(), Quality.GOOD, 1);
+            lab.goOn(USUAL);
+            drone.vehicle().setDeaf(true);
+            assertThat(link.fades(FADE_SECONDS, () -> drone.isTold("It climbs")))
+                    .isTrue();
+            lab.until(
+                    "the command is given up",
+                    Duration.ofSeconds(20),
+                    () -> ann.commandsOf(drone).stream()
+                            .anyMatch(command -> command.type().equals("goTo") && command.outcome() != null));
+            assertThat(drone.mode()).isEqualTo(AUTO);
+
+            drone.vehicle().setDeaf(false);
+
+            lab.until("it climbs", Duration.ofSeconds(12), () -> drone.mode() == GUIDED && drone.height() > 33);
+        }
+    }
+
     @ParameterizedTest
     @CsvSource({"continue, 3", "rtl, 6"})
     void doesWithoutTheCloudWhatItsOwnerChoseAfterItHasClimbedToo(String onCloudLoss, long mode) {

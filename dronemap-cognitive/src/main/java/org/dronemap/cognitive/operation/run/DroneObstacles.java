@@ -6,6 +6,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.dronemap.cognitive.operation.run.model.DroneObservation;
 import org.dronemap.cognitive.operation.run.model.RunDrone;
 import org.dronemap.cognitive.operation.run.model.RunDroneStage;
@@ -15,9 +16,7 @@ import org.dronemap.cognitive.problem.Barrier;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Place;
 import org.dronemap.core.drone.DroneId;
-import org.dronemap.core.geo.Geodesy;
 import org.dronemap.core.mission.Altitude;
-import org.dronemap.core.mission.FenceArea;
 import org.dronemap.core.separation.Separation;
 import org.dronemap.core.zone.AltitudeBand;
 
@@ -40,18 +39,18 @@ final class DroneObstacles {
         for (DroneObservation look : looks) {
             RunDrone drone = draft.drone(look.drone());
             String words = drone.name() + ", which stands in the air there,";
-            List<Place> places = List.of();
+            List<SilentPlaces.Piece> pieces = List.of();
             RunDrone.LinkLoss loss = drone.flags().linkLoss();
             Place place = look.place();
             if (loss != null && loss.place() != null && mayHoverUnheard(draft, drone, look)) {
                 words = drone.name() + ", which was last heard there and may still be there until "
-                        + SilentPlaces.until(loss) + ",";
-                places = SilentPlaces.of(drone, loss, loss.place());
+                        + SilentPlaces.until(drone, loss) + ",";
+                pieces = SilentPlaces.of(drone, loss, loss.place());
             } else if (place != null && stands(draft, drone, look)) {
-                places = List.of(place);
+                pieces = List.of(new SilentPlaces.Piece(place, place));
             }
             List<Barrier> own = new ArrayList<>();
-            for (Place there : places) {
+            for (SilentPlaces.Piece there : pieces) {
                 own.add(barrier(words, there, separation, crafts));
             }
             own.removeIf(barrier -> barrier.drones().isEmpty());
@@ -63,26 +62,19 @@ final class DroneObstacles {
         return barriers;
     }
 
-    private static Barrier barrier(String words, Place place, Separation separation, Collection<Craft> crafts) {
+    private static Barrier barrier(
+            String words, SilentPlaces.Piece there, Separation separation, Collection<Craft> crafts) {
         double radius = separation.horizontalMeters() + ROOM_METERS;
-        double amsl = place.altitudeAmslMeters();
-        double low = Math.max(Altitude.LOWEST_PLANNED_METERS, amsl - separation.verticalMeters());
-        double high = Math.min(Altitude.HIGHEST_PLANNED_METERS, amsl + separation.verticalMeters());
+        double low = Math.max(Altitude.LOWEST_PLANNED_METERS, there.low() - separation.verticalMeters());
+        double high = Math.min(Altitude.HIGHEST_PLANNED_METERS, there.high() + separation.verticalMeters());
+        // Whoever sets off or lands nearer cannot be led round it, and is kept apart in flight.
         Set<DroneId> bound = crafts.stream()
-                .filter(craft -> isAway(craft.start().place(), place, radius)
-                        && isAway(craft.finish().place(), place, radius))
+                .filter(craft -> Stream.of(craft.start().place(), craft.finish().place())
+                        .allMatch(place -> there.distanceMeters(place) > radius + AT_THE_RIM_METERS))
                 .map(Craft::id)
                 .collect(Collectors.toSet());
         return new Barrier(
-                words,
-                new FenceArea.Circle(false, place.point(), radius),
-                new AltitudeBand(low, high, Altitude.Reference.AMSL),
-                bound);
-    }
-
-    /** Whoever sets off or lands nearer cannot be led round it, and is kept apart in flight. */
-    private static boolean isAway(Place one, Place place, double radius) {
-        return Geodesy.distanceMeters(one.point(), place.point()) > radius + AT_THE_RIM_METERS;
+                words, there.around(radius), new AltitudeBand(low, high, Altitude.Reference.AMSL), bound);
     }
 
     /** One that is not heard, and may have come to stand where nobody sees it. */

@@ -131,7 +131,7 @@ final class LostDrones {
     }
 
     /** Its mission to the end where it flies on, else its way home. */
-    private static Duration longest(RunDrone drone, @Nullable Place place, boolean mission) {
+    static Duration longest(RunDrone drone, @Nullable Place place, boolean mission) {
         Sortie sortie = drone.sortie();
         Duration way = Duration.ofMinutes(2);
         if (mission && sortie != null) {
@@ -174,7 +174,7 @@ final class LostDrones {
     private static String whereAbouts(
             RunTransition draft, RunDrone drone, RunDrone.LinkLoss silence, DroneObservation look) {
         if (!draft.isWordedBefore(2) && SilentPlaces.mayHover(drone, look, draft.now())) {
-            return "it may still hover where it was heard last, until " + SilentPlaces.until(silence) + ".";
+            return "it may still hover where it was heard last, until " + SilentPlaces.until(drone, silence) + ".";
         }
         if (!draft.isWordedBefore(2) && drone.profile().kind() == VehicleKind.FIXED_WING) {
             return "it may be down, or circle over its home.";
