@@ -86,15 +86,19 @@ class DispatchSeparationTest {
 
             Pilot ann = lab.pilot("ann", Role.OPERATOR);
             DispatchView dispatch = sends(lab, ann, sent.place(60, -40));
-            lab.untilSeen("it says for whom it waits", Duration.ofSeconds(5), () -> (dispatch.droneName()
-                            + " waits on the ground until another drone has passed.")
-                    .equals(view(lab, ann, dispatch).note()));
+            lab.untilSeen(
+                    "it says for whom it waits",
+                    Duration.ofSeconds(5),
+                    () -> (dispatch.droneName() + " waits on the ground until another drone has passed.")
+                            .equals(view(lab, ann, dispatch).note()));
             for (int i = 0; i < 5; i++) {
                 lab.throughout("it stays on the ground", Duration.ofSeconds(20), sent::isDown);
                 bob.fliesTo(above, sent.place(0, 0), HEIGHT);
             }
             lab.untilSeen(
-                    "it is over", Duration.ofSeconds(35), () -> view(lab, ann, dispatch).state().equals("over"));
+                    "it is over",
+                    Duration.ofSeconds(35),
+                    () -> view(lab, ann, dispatch).state().equals("over"));
             assertThat(view(lab, ann, dispatch).told().toString())
                     .contains(dispatch.droneName()
                             + " cannot take off: another drone has not left its way up for 2 min.");

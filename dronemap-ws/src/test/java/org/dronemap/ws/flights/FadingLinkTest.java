@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.LinkTrend;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
@@ -142,8 +143,11 @@ class FadingLinkTest {
                     .does(drone, CommandRequests.startMission("continue"));
             FadingLink link = new FadingLink(lab, drone.wire(), Quality.GOOD, 1);
             lab.goOn(USUAL);
-            drone.vehicle().setDeaf(true);
-            assertThat(link.fades(FADE_SECONDS, () -> drone.isTold("It climbs")))
+            assertThat(link.fades(FADE_SECONDS, () -> {
+                        drone.vehicle().setDeaf(drone.state().link().trend().state() != LinkTrend.State.STEADY);
+                        return drone.isTold("It climbs");
+                    }))
+                    .as(drone.words())
                     .isTrue();
             lab.until(
                     "the command is given up",

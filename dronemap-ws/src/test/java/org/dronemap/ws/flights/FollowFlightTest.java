@@ -263,8 +263,7 @@ class FollowFlightTest {
             bob.fliesTo(above, follows.place(0, 0), 15);
         }
         phone.awaits("over", Duration.ofSeconds(35));
-        assertThat(phone.view().end())
-                .endsWith(" cannot take off: another drone has not left its way up for 2 min.");
+        assertThat(phone.view().end()).endsWith(" cannot take off: another drone has not left its way up for 2 min.");
         assertThat(follows.isDown()).isTrue();
     }
 

@@ -40,7 +40,10 @@ class SilentPlaceFlightTest {
             Separation apart = new Separation(drones);
             String held = lab.untilSeen("it hovers at a waypoint", Duration.ofMinutes(3), () -> {
                 apart.look();
-                return run.next(silent).stream().limit(1).filter(id -> isAt(silent, run.waypoint(id))).findFirst();
+                return run.next(silent).stream()
+                        .limit(1)
+                        .filter(id -> isAt(silent, run.waypoint(id)))
+                        .findFirst();
             });
 
             silent.wire().cut();
@@ -51,12 +54,17 @@ class SilentPlaceFlightTest {
             });
             RunView.WaypointView waits = run.waypoint(held);
             assertThat(waits.state()).as(run.view().explanations().toString()).isEqualTo("waiting");
-            assertThat(waits.why()).contains(silent.state().name() + ", which was last heard there and may still be there until ");
-            lab.goOn(Duration.ofSeconds(10));
+            assertThat(waits.why())
+                    .contains(silent.state().name() + ", which was last heard there and may still be there until ");
+            lab.throughout("they are apart", Duration.ofSeconds(10), () -> {
+                apart.look();
+                return silent.height() > 15;
+            });
             silent.wire().mend();
             lab.untilSeen(
-                    "it is left to its pilot", Duration.ofSeconds(20), () -> run.stage(silent).equals("suspended"));
-            lab.server().runs().resume(chief.principal(), run.id(), silent.id().value());
+                    "it takes part again",
+                    Duration.ofSeconds(20),
+                    () -> run.stage(silent).equals("flying"));
             RunView over = lab.untilSeen("the run is over", Duration.ofMinutes(20), () -> {
                 apart.look();
                 return Optional.of(run.view()).filter(view -> view.state().equals("over"));
@@ -64,7 +72,9 @@ class SilentPlaceFlightTest {
 
             assertThat(over.counts().visited()).isEqualTo(12);
             assertThat(apart.least()).as(apart.words()).isGreaterThanOrEqualTo(1);
-            assertThat(over.counts().replans()).as(over.explanations().toString()).isLessThan(12);
+            assertThat(over.counts().replans())
+                    .as(over.explanations().toString())
+                    .isLessThan(12);
             assertThat(run.decidesTheSameAgain()).isTrue();
         }
     }

@@ -73,8 +73,7 @@ final class DroneObstacles {
                         .allMatch(place -> there.distanceMeters(place) > radius + AT_THE_RIM_METERS))
                 .map(Craft::id)
                 .collect(Collectors.toSet());
-        return new Barrier(
-                words, there.around(radius), new AltitudeBand(low, high, Altitude.Reference.AMSL), bound);
+        return new Barrier(words, there.around(radius), new AltitudeBand(low, high, Altitude.Reference.AMSL), bound);
     }
 
     /** One that is not heard, and may have come to stand where nobody sees it. */
@@ -121,8 +120,7 @@ final class DroneObstacles {
     private static boolean stands(RunTransition draft, RunDrone drone, DroneObservation look) {
         boolean heardAgain =
                 drone.stage() == RunDroneStage.GONE && look.isLive() && look.waits() && !draft.isWordedBefore(2);
-        boolean foreign =
-                drone.stage() == RunDroneStage.SUSPENDED || drone.stage() == RunDroneStage.LEFT || heardAgain;
+        boolean foreign = drone.stage() == RunDroneStage.SUSPENDED || drone.stage() == RunDroneStage.LEFT || heardAgain;
         boolean still = !look.isLive() || heardAgain || look.still().compareTo(STANDS) >= 0;
         return foreign && look.airborne() && still && !look.comesDown() && !look.isOnMission();
     }

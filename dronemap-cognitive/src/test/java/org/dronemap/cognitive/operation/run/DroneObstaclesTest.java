@@ -83,9 +83,7 @@ class DroneObstaclesTest {
                         + " UTC, keeps drones from.");
         assertThat(fleet.state.isOver()).isFalse();
         assertThat(fleet.closest).as("%s; %s", fleet.where, fleet.said).isGreaterThanOrEqualTo(10);
-        assertThat(fleet.state.counts().replans() - before)
-                .as("%s", fleet.said)
-                .isLessThan(12);
+        assertThat(fleet.state.counts().replans() - before).as("%s", fleet.said).isLessThan(12);
     }
 
     @Test
@@ -121,7 +119,10 @@ class DroneObstaclesTest {
     @Test
     void whatLiesJustAheadOfOneThatFlewIsLeftOutAsWell() {
         RunTestBench fleet = RunFixtures.fleet(3, 18, 1, MissionCloudLossPolicy.RETURN_TO_LAUNCH);
-        fleet.flyUntil(() -> fleet.state.count(RunWaypoint.State.VISITED) >= 3 && fleet.vehicle(1).fliesMission(), 600);
+        fleet.flyUntil(
+                () -> fleet.state.count(RunWaypoint.State.VISITED) >= 3
+                        && fleet.vehicle(1).fliesMission(),
+                600);
         TestVehicle silent = fleet.vehicle(1);
         double east = silent.east;
         double north = silent.north;
