@@ -1,4 +1,5 @@
 import type { Drone } from '../api/types';
+import { LinkHistory } from './link-history';
 import { Trails } from './trails';
 
 /** Runs an action soon, at most one at a time; the page redraws ten times a second however fast updates come. */
@@ -15,6 +16,7 @@ export class Fleet {
   /** False until the first whole list has come. */
   loaded = $state(false);
   readonly trails = new Trails();
+  readonly links = new LinkHistory();
   readonly #byId = new Map<string, Drone>();
   readonly #schedule: Scheduler;
   #pending = false;
@@ -65,11 +67,13 @@ export class Fleet {
   #store(drone: Drone): void {
     this.#byId.set(drone.id, drone);
     this.trails.add(drone);
+    this.links.add(drone);
   }
 
   #delete(id: string): void {
     this.#byId.delete(id);
     this.trails.remove(id);
+    this.links.remove(id);
   }
 
   #publishSoon(): void {

@@ -22,4 +22,12 @@ public enum VehicleKind {
             case MULTICOPTER, HELICOPTER, FIXED_WING, VTOL, AIRSHIP, UNKNOWN -> false;
         };
     }
+
+    /** It can stand in the air, or may be one that can. */
+    public boolean hovers() {
+        return switch (this) {
+            case MULTICOPTER, HELICOPTER, VTOL, UNKNOWN -> true;
+            case FIXED_WING, AIRSHIP, ROVER, BOAT, SUBMARINE -> false;
+        };
+    }
 }

@@ -15,5 +15,11 @@ public final class SafetyTimes {
     /** From when a vehicle is lost until others get what lies ahead of it, where it comes home by itself. */
     public static final Duration CORRIDOR_FREED = CORRIDOR_KEPT.plusSeconds(10);
 
+    /** No battery lasts longer for one that stands in the air, where its fail-safe does not bring it home. */
+    public static final Duration LONGEST_HOVER = Duration.ofMinutes(45);
+
+    /** Whoever stops a silent vehicle on its mission, its own fail-safe among them, does so within that time. */
+    public static final Duration STOPPED_WITHIN = Duration.ofSeconds(6);
+
     private SafetyTimes() {}
 }

@@ -35,6 +35,20 @@ public record GiveWay(
         MOVE
     }
 
+    /** It was told to stand, or to step aside, and may not go on yet. */
+    public boolean standsAside() {
+        return manner != Manner.WAIT && !clear;
+    }
+
+    /** What that drone does for the other one, as a sentence. */
+    public String sentence(String name) {
+        if (words != null) {
+            return name + " " + words + ", to make room for " + toName + ".";
+        }
+        String waits = manner == Manner.WAIT ? " waits on the ground until " : " waits until ";
+        return name + waits + toName + " has passed.";
+    }
+
     /** The same for people who may know nothing of the other drone. */
     public GiveWay withoutNaming(DroneId self) {
         return new GiveWay(self, ANOTHER, manner, since, clear, words);

@@ -21,12 +21,12 @@ final class SilentCorridor {
 
     private static final double MOST_STEPS = 40;
     /** Whoever stops it does so before its fail-safe for a lost cloud acts. */
-    private static final double STOPS_WITHIN_SECONDS = 6;
+    private static final double STOPS_WITHIN_SECONDS = SafetyTimes.STOPPED_WITHIN.toSeconds();
 
     /** Beside what its way takes. */
     private static final double MARGIN_SECONDS = 60;
     /** No battery lasts longer for one that stands in the air. */
-    private static final double STANDS_SECONDS = 45 * 60;
+    private static final double STANDS_SECONDS = SafetyTimes.LONGEST_HOVER.toSeconds();
 
     private final TrackForecast forecast;
     private final TrackedDrone drone;

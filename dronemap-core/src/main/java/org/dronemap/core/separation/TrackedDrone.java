@@ -12,7 +12,6 @@ import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.MissionProgress;
 import org.dronemap.core.drone.Motion;
 import org.dronemap.core.drone.Position;
-import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.MissionItem;
 import org.jspecify.annotations.Nullable;
@@ -138,11 +137,7 @@ public record TrackedDrone(
 
     /** It can stand in the air. */
     boolean hovers() {
-        VehicleKind kind = state.identification().kind();
-        return switch (kind) {
-            case MULTICOPTER, HELICOPTER, VTOL, UNKNOWN -> true;
-            case FIXED_WING, AIRSHIP, ROVER, BOAT, SUBMARINE -> false;
-        };
+        return state.identification().kind().hovers();
     }
 
     boolean canGoTo() {

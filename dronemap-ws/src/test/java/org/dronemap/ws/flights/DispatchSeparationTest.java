@@ -72,6 +72,40 @@ class DispatchSeparationTest {
         }
     }
 
+    @Test
+    void aTakeOffThatStaysBlockedIsGivenUpWithTheReason() {
+        try (Laboratory lab = new Laboratory(1)) {
+            List<LabDrone> copters = lab.copters(2);
+            LabDrone sent = copters.get(0);
+            LabDrone above = copters.get(1);
+            lends(lab, lab.pilot("chief", Role.SUPERVISOR), sent);
+            Pilot bob = lab.pilot("bob", Role.OPERATOR);
+            bob.takesOff(above, HEIGHT).fliesTo(above, sent.place(0, 0), HEIGHT);
+            lab.until("it hovers above the other", WAY, () -> above.distanceTo(sent.where()) < 2);
+            var unused = bob.takesControl(above);
+
+            Pilot ann = lab.pilot("ann", Role.OPERATOR);
+            DispatchView dispatch = sends(lab, ann, sent.place(60, -40));
+            lab.untilSeen(
+                    "it says for whom it waits",
+                    Duration.ofSeconds(5),
+                    () -> (dispatch.droneName() + " waits on the ground until another drone has passed.")
+                            .equals(view(lab, ann, dispatch).note()));
+            for (int i = 0; i < 5; i++) {
+                lab.throughout("it stays on the ground", Duration.ofSeconds(20), sent::isDown);
+                bob.fliesTo(above, sent.place(0, 0), HEIGHT);
+            }
+            lab.untilSeen(
+                    "it is over",
+                    Duration.ofSeconds(35),
+                    () -> view(lab, ann, dispatch).state().equals("over"));
+            assertThat(view(lab, ann, dispatch).told().toString())
+                    .contains(dispatch.droneName()
+                            + " cannot take off: another drone has not left its way up for 2 min.");
+            assertThat(sent.isDown()).isTrue();
+        }
+    }
+
     /** Their ways cross in the middle, at one height, and they begin at moments from which they would meet. */
     private static boolean crossApart(Laboratory lab, int secondsLater) {
         List<LabDrone> copters = lab.copters(4);

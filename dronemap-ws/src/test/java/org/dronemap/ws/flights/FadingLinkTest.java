@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.stream.Stream;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.drone.LinkTrend;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.mission.MissionItem;
@@ -129,6 +130,35 @@ class FadingLinkTest {
             lab.until("it goes on", Duration.ofSeconds(90), () -> drone.mode() == AUTO);
             assertThat(drone.isTold("Its link is as usual again since it has climbed"))
                     .isTrue();
+        }
+    }
+
+    @Test
+    void isToldOnceMoreWhatItDidNotReceive() {
+        try (Laboratory lab = new Laboratory(1)) {
+            LabDrone drone = lab.copter();
+            Pilot ann = lab.pilot("ann", Role.OPERATOR);
+            ann.plans(drone, 30, drone.place(3_000, 0), drone.place(0, 0))
+                    .does(drone, CommandRequests.arm())
+                    .does(drone, CommandRequests.startMission("continue"));
+            FadingLink link = new FadingLink(lab, drone.wire(), Quality.GOOD, 1);
+            lab.goOn(USUAL);
+            assertThat(link.fades(FADE_SECONDS, () -> {
+                        drone.vehicle().setDeaf(drone.state().link().trend().state() != LinkTrend.State.STEADY);
+                        return drone.isTold("It climbs");
+                    }))
+                    .as(drone.words())
+                    .isTrue();
+            lab.until(
+                    "the command is given up",
+                    Duration.ofSeconds(20),
+                    () -> ann.commandsOf(drone).stream()
+                            .anyMatch(command -> command.type().equals("goTo") && command.outcome() != null));
+            assertThat(drone.mode()).isEqualTo(AUTO);
+
+            drone.vehicle().setDeaf(false);
+
+            lab.until("it climbs", Duration.ofSeconds(12), () -> drone.mode() == GUIDED && drone.height() > 33);
         }
     }
 

@@ -244,6 +244,30 @@ class FollowFlightTest {
     }
 
     @Test
+    void aTakeOffThatStaysBlockedIsGivenUpWithTheReason() {
+        List<LabDrone> copters = lab.copters(2);
+        LabDrone follows = copters.get(0);
+        LabDrone above = copters.get(1);
+        Pilot bob = lab.pilot("bob", Role.OPERATOR);
+        bob.takesOff(above, 15).fliesTo(above, follows.place(0, 0), 15);
+        lab.until("it hovers above the other", Duration.ofMinutes(1), () -> above.distanceTo(follows.where()) < 2);
+
+        SimulatedPhone phone = lab.phone(lab.pilot("ann", Role.OPERATOR), follows, -40, -40);
+        phone.asks(follows, south(5, 10), 60).starts();
+        lab.untilSeen(
+                "it says for whom it waits",
+                Duration.ofSeconds(5),
+                () -> String.valueOf(phone.view().note()).contains("waits on the ground until another drone has"));
+        for (int i = 0; i < 5; i++) {
+            lab.throughout("it stays on the ground", Duration.ofSeconds(20), follows::isDown);
+            bob.fliesTo(above, follows.place(0, 0), 15);
+        }
+        phone.awaits("over", Duration.ofSeconds(35));
+        assertThat(phone.view().end()).endsWith(" cannot take off: another drone has not left its way up for 2 min.");
+        assertThat(follows.isDown()).isTrue();
+    }
+
+    @Test
     void itsWayHomeWaitsForOneThatIsInIt() {
         List<LabDrone> copters = lab.copters(2);
         LabDrone follows = copters.get(0);

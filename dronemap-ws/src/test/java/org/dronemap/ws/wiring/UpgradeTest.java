@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -16,6 +17,8 @@ import org.dronemap.core.access.User;
 import org.dronemap.core.audit.SignedAuditHead;
 import org.dronemap.core.history.FlightQuery;
 import org.dronemap.core.history.NumberedEvent;
+import org.dronemap.core.history.TelemetryPoint;
+import org.dronemap.core.history.TimeRange;
 import org.dronemap.core.operation.JournalReplay;
 import org.dronemap.core.operation.OperationKind;
 import org.dronemap.core.operation.SavedOperation;
@@ -128,6 +131,32 @@ class UpgradeTest {
                         .filteredOn(value -> value.name().equals("FS_GCS_ENABLE"))
                         .singleElement()
                         .matches(value -> value.owners() == 0 && value.ours() == 1));
+    }
+
+    static Stream<String> versionsWithoutJitter() {
+        return versions().filter(version -> !VERSIONS.get(version).hasColumn("telemetry", "jitter"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("versionsWithoutJitter")
+    void telemetryThatWasStoredBeforeJitterWasIsReadWithoutIt(String version) {
+        UpgradedServer now = VERSIONS.get(version);
+        TimeRange ever = new TimeRange(
+                now.time().clock().instant().minus(Duration.ofDays(1)),
+                now.time().clock().instant());
+        List<TelemetryPoint> points = new ArrayList<>();
+        now.database()
+                .drones()
+                .drones()
+                .forEach(drone -> now.database().telemetry().points(drone.id(), ever, points::add));
+
+        assertThat(points)
+                .hasSizeGreaterThanOrEqualTo(rows(now, "telemetry"))
+                .anyMatch(point -> point.quality().lossShort() != null)
+                .anyMatch(point -> point.quality().roundTripMillis() != null);
+        assertThat(points)
+                .extracting(TelemetryPoint::quality)
+                .allMatch(quality -> quality.jitterMillis() == null && quality.jitterLongMillis() == null);
     }
 
     @ParameterizedTest

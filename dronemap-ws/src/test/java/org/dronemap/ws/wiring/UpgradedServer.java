@@ -100,6 +100,14 @@ final class UpgradedServer implements AutoCloseable {
         return table(table).isPresent();
     }
 
+    boolean hasColumn(String table, String column) {
+        return table(table)
+                .filter(one -> one.required("columns")
+                        .valueStream()
+                        .anyMatch(name -> name.stringValue().equals(column)))
+                .isPresent();
+    }
+
     /** That were stored in that table. */
     long rows(String table) {
         return table(table)

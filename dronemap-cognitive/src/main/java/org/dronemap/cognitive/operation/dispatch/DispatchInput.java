@@ -44,17 +44,11 @@ public sealed interface DispatchInput {
         /** What it does for another drone now, as a sentence; null: nothing. */
         @Nullable
         String aside(String name) {
-            if (giveWay == null || !standsAside()) {
-                return null;
-            }
-            return giveWay.words() == null
-                    ? name + " waits until " + giveWay.toName() + " has passed."
-                    : name + " " + giveWay.words() + ", to make room for " + giveWay.toName() + ".";
+            return giveWay == null || !standsAside() ? null : giveWay.sentence(name);
         }
 
-        /** It was told to stand, or to step aside, and may not go on yet. */
         boolean standsAside() {
-            return giveWay != null && giveWay.manner() != GiveWay.Manner.WAIT && !giveWay.clear();
+            return giveWay != null && giveWay.standsAside();
         }
     }
 

@@ -6,8 +6,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.dronemap.cognitive.operation.CopterEndurance;
+import org.dronemap.cognitive.operation.TakeOffPatience;
 import org.dronemap.cognitive.operation.dispatch.DispatchInput.Look;
 import org.dronemap.core.operation.OperationAction;
+import org.dronemap.core.separation.GiveWay;
 import org.jspecify.annotations.Nullable;
 
 /** Decides what the drone of a dispatch does next on its way there, and when another one has to come in its place. */
@@ -109,6 +111,10 @@ final class LeadFlight {
     }
 
     private DispatchState onTheWay() {
+        GiveWay give = look.giveWay();
+        if (give != null && isBlocked()) {
+            return replaced(TakeOffPatience.words(lead.name(), give), true);
+        }
         if (isLate()) {
             String why = look.giveWay() == null
                     ? " takes much longer than it should."
@@ -125,6 +131,13 @@ final class LeadFlight {
         };
         actions.addAll(commands.actions());
         return next;
+    }
+
+    /** Somebody waits, and another drone may have a free way up. */
+    private boolean isBlocked() {
+        return state.stage() == DispatchStage.STARTING
+                && waitsOnTheGround() != null
+                && TakeOffPatience.isOver(state.since(), at);
     }
 
     private boolean isLate() {
@@ -184,7 +197,7 @@ final class LeadFlight {
     private @Nullable String waitsOnTheGround() {
         return look.giveWay() == null || look.flight().armed()
                 ? null
-                : lead.name() + " waits on the ground until " + look.giveWay().toName() + " has passed.";
+                : look.giveWay().sentence(lead.name());
     }
 
     /** It comes home since it had not heard the cloud for a while. */

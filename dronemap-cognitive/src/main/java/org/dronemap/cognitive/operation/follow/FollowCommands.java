@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import org.dronemap.cognitive.operation.TakeOffPatience;
 import org.dronemap.cognitive.operation.follow.FollowInput.Observation;
 import org.dronemap.cognitive.operation.follow.FollowState.Attempts;
 import org.dronemap.cognitive.operation.follow.FollowState.IssuedCommand;
@@ -11,6 +12,7 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.SetReturnOnCloudLoss;
 import org.dronemap.core.operation.OperationAction;
+import org.dronemap.core.separation.GiveWay;
 
 /** Chooses the commands for a drone of a follow, one at a time: arm, take off, change mode, return home. */
 final class FollowCommands {
@@ -40,12 +42,13 @@ final class FollowCommands {
         if (isBusy(at)) {
             return;
         }
+        GiveWay give = look.giveWay();
         if (state.attempts().given() == 0) {
             send(IssuedCommand.Purpose.CLOUD_LOSS, new SetReturnOnCloudLoss());
         } else if (!look.guided()) {
             switchToGuided(look, at);
-        } else if (look.waitsOnTheGround()) {
-            state = state.noted(state.order().chosen().name() + " waits on the ground until another drone has passed.");
+        } else if (give != null && look.waitsOnTheGround()) {
+            waitOnTheGround(give, at);
         } else if (!look.armed()) {
             if (look.mayRise()) {
                 state = state.noted(null);
@@ -60,6 +63,13 @@ final class FollowCommands {
             String what = state.reliefOrNone().number() == 0 ? "follows." : "comes.";
             state = state.to(FollowStage.TRACKING, at, state.order().chosen().name() + " is in the air and " + what);
         }
+    }
+
+    private void waitOnTheGround(GiveWay give, Instant at) {
+        String name = state.order().chosen().name();
+        state = TakeOffPatience.isOver(state.since(), at)
+                ? state.to(FollowStage.OVER, at, TakeOffPatience.words(name, give))
+                : state.noted(give.sentence(name));
     }
 
     /** Into the mode in which it can be led. */

@@ -142,9 +142,8 @@ public sealed interface FollowInput {
             return !Boolean.TRUE.equals(unchecked);
         }
 
-        /** It was told to stand, or to step aside, and may not go on yet. */
         boolean standsAside() {
-            return giveWay != null && giveWay.manner() != GiveWay.Manner.WAIT && !giveWay.clear();
+            return giveWay != null && giveWay.standsAside();
         }
 
         /** The same, with what its modes are for. */

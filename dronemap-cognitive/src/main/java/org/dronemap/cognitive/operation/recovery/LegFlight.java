@@ -141,7 +141,7 @@ final class LegFlight {
             return leg;
         }
         GiveWay give = look.giveWay();
-        if (give != null && give.manner() != GiveWay.Manner.WAIT && !give.clear()) {
+        if (give != null && give.standsAside()) {
             RecoveryLeg stopped = isByItself() ? leg : leg.sent(null).ready(null);
             return stopped.noted(leg.name() + " gives way to " + give.toName() + ".");
         }

@@ -17,10 +17,11 @@ final class DroneWithdrawal {
             RunTransition draft, RunDrone drone, RunDroneStage stage, RunTrigger trigger, String words, String note) {
         boolean had = !drone.orders().isEmpty();
         RunDrone out = draft.release(drone, words).noted(note).to(stage, draft.now());
+        boolean mayHover = stage == RunDroneStage.GONE && !draft.isWordedBefore(2);
         draft.put(out.with(out.flags()
                 .fallingSince(null)
                 .deviatingSince(null)
-                .withLinkLoss(null)
+                .withLinkLoss(mayHover ? drone.flags().linkLoss() : null)
                 .waitsFor(null)));
         if (had) {
             draft.addCause(trigger, drone.id(), words, drone.orders());

@@ -131,7 +131,7 @@ final class LostDrones {
     }
 
     /** Its mission to the end where it flies on, else its way home. */
-    private static Duration longest(RunDrone drone, @Nullable Place place, boolean mission) {
+    static Duration longest(RunDrone drone, @Nullable Place place, boolean mission) {
         Sortie sortie = drone.sortie();
         Duration way = Duration.ofMinutes(2);
         if (mission && sortie != null) {
@@ -160,7 +160,7 @@ final class LostDrones {
             draft.put(drone);
         }
         if (draft.now().isAfter(silence.flyingUntil())) {
-            String words = drone.name() + " was not heard again; " + whereAbouts(draft, drone);
+            String words = drone.name() + " was not heard again; " + whereAbouts(draft, drone, silence, look);
             DroneWithdrawal.withdraw(draft, drone, RunDroneStage.GONE, RunTrigger.GONE, words);
         } else if (draft.now().isAfter(silence.reservedUntil())
                 && !drone.orders().isEmpty()) {
@@ -171,7 +171,11 @@ final class LostDrones {
     }
 
     /** A plane circles over its home for as long as it can; what drives is never down. */
-    private static String whereAbouts(RunTransition draft, RunDrone drone) {
+    private static String whereAbouts(
+            RunTransition draft, RunDrone drone, RunDrone.LinkLoss silence, DroneObservation look) {
+        if (!draft.isWordedBefore(2) && SilentPlaces.mayHover(drone, look, draft.now())) {
+            return "it may still hover where it was heard last, until " + SilentPlaces.until(drone, silence) + ".";
+        }
         if (!draft.isWordedBefore(2) && drone.profile().kind() == VehicleKind.FIXED_WING) {
             return "it may be down, or circle over its home.";
         }

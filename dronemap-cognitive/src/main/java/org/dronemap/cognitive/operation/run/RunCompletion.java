@@ -23,7 +23,7 @@ final class RunCompletion {
         boolean open =
                 draft.targets().stream().anyMatch(target -> !target.state().isSettled());
         boolean mayGoOn = draft.drones().stream().anyMatch(drone -> drone.stage() == RunDroneStage.SUSPENDED);
-        if (open && (mayGoOn || RunPoolDrones.mayJoin(draft))) {
+        if (open && (mayGoOn || RunPoolDrones.mayJoin(draft) || DroneObstacles.isWaitedFor(draft))) {
             return;
         }
         for (RunWaypoint target : draft.targets()) {

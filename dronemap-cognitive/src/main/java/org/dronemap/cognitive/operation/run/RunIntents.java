@@ -47,7 +47,7 @@ final class RunIntents {
             case HOLDING, REPLACING, RESUMING -> Optional.of(FlightIntent.Step.STAND);
             case CONTINUING -> Optional.of(FlightIntent.Step.GO_ON);
             case RETURNING -> Optional.of(FlightIntent.Step.COME_HOME);
-            case CRASHED, GONE -> Optional.of(FlightIntent.Step.LIE);
+            case CRASHED -> Optional.of(FlightIntent.Step.LIE);
             default -> Optional.empty();
         };
     }

@@ -30,10 +30,7 @@ final class RunYielding {
         switch (drone.stage()) {
             case READY, ARMING -> {
                 if (drone.flags().waitsFor() == null) {
-                    draft.explain(
-                            RunTrigger.TOO_NEAR,
-                            drone.id(),
-                            drone.name() + " waits on the ground until " + give.toName() + " has passed.");
+                    draft.explain(RunTrigger.TOO_NEAR, drone.id(), give.sentence(drone.name()));
                 }
                 draft.put(drone.with(drone.flags().waitsFor(give.to())));
             }
@@ -82,10 +79,7 @@ final class RunYielding {
         if (!anew || give.clear()) {
             return;
         }
-        String words = moves
-                ? give.words() + ", to make room for " + give.toName()
-                : "waits until " + give.toName() + " has passed";
-        draft.explain(RunTrigger.TOO_NEAR, drone.id(), drone.name() + " " + words + ".");
+        draft.explain(RunTrigger.TOO_NEAR, drone.id(), give.sentence(drone.name()));
         RunDrone marked = drone.with(drone.flags().waitsFor(give.to()));
         boolean begins = moves && drone.issuedCommand() == null;
         draft.put(begins ? marked.to(marked.stage(), draft.now()) : marked);

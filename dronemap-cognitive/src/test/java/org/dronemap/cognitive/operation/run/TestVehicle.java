@@ -53,6 +53,8 @@ final class TestVehicle {
     boolean fallen;
     boolean cut;
     double cutFor;
+    /** It stays where it is when it misses the cloud. */
+    boolean withoutFailSafe;
     /** Nobody is there to be heard, nor hears it. */
     boolean alone;
     /** So many seconds the cloud does not know its mission yet. */
@@ -115,7 +117,7 @@ final class TestVehicle {
         cutFor = cut || alone ? cutFor + seconds : 0;
         heardFor = cut || alone ? 0 : heardFor + seconds;
         untold -= seconds;
-        if (cutFor > 5 && armed && missesTheCloud()) {
+        if (cutFor > 5 && armed && !withoutFailSafe && missesTheCloud()) {
             mode = "RTL";
             armed = isUp();
         }
