@@ -89,8 +89,7 @@ final class VirtualRunQueue {
 
     private Optional<UnfitReason> whyNot(VirtualDrone waiting, VirtualRun run, DroneState drone) {
         List<DroneState> alone = List.of(drone);
-        return DroneSelection.of(
-                        demand(waiting, run, alone), alone, (state, share) -> hindrance(waiting, state, share))
+        return DroneSelection.of(demand(waiting, run, alone), alone, (state, share) -> hindrance(waiting, state, share))
                 .unfit()
                 .stream()
                 .map(DroneSelection.Unfit::why)
@@ -166,9 +165,8 @@ final class VirtualRunQueue {
     private boolean canAllBeServed(VirtualDrone divided, List<DroneState> free) {
         Set<DroneId> chosen = new HashSet<>();
         for (VirtualRun run : divided.runs()) {
-            List<DroneState> others = free.stream()
-                    .filter(state -> !chosen.contains(state.id()))
-                    .toList();
+            List<DroneState> others =
+                    free.stream().filter(state -> !chosen.contains(state.id())).toList();
             Optional<DroneChoice> choice = select(divided, run, others).choice();
             if (choice.isEmpty()) {
                 return false;

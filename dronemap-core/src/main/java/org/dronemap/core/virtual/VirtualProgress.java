@@ -48,8 +48,10 @@ public record VirtualProgress(
         int flown = runs.stream().mapToInt(VirtualRun::flown).sum();
         int total = runs.stream().mapToInt(VirtualRun::total).sum();
         int drones = (int) runs.stream().filter(run -> run.stage().isBound()).count();
-        Instant changed =
-                runs.stream().map(VirtualRun::changedAt).max(Comparator.naturalOrder()).orElseThrow();
+        Instant changed = runs.stream()
+                .map(VirtualRun::changedAt)
+                .max(Comparator.naturalOrder())
+                .orElseThrow();
         String sentence = runs.size() == 1 ? runs.get(0).note() : sentence(runs, stage, flown + " of " + total);
         return new VirtualProgress(stage, sentence, flown, total, drones, changed);
     }
@@ -72,11 +74,7 @@ public record VirtualProgress(
         return runs.size() + " shares: " + String.join(", ", parts) + "; " + flown + "." + explanations(runs);
     }
 
-    private static void count(
-            List<String> parts,
-            List<VirtualRun> runs,
-            String words,
-            Predicate<VirtualRun> counts) {
+    private static void count(List<String> parts, List<VirtualRun> runs, String words, Predicate<VirtualRun> counts) {
         long count = runs.stream().filter(counts).count();
         if (count > 0) {
             parts.add(count + " " + words);

@@ -48,8 +48,8 @@ public record VirtualRun(
     public List<VirtualRun> divided(List<Mission> shares, Instant now) {
         return shares.stream()
                 .map(share -> new VirtualRunOrder(ticket(), share, onCloudLoss(), 1))
-                .map(share -> new VirtualRun(
-                        share, 0, VirtualRunStage.QUEUED, null, avoided, failures, WAITS, null, now))
+                .map(share ->
+                        new VirtualRun(share, 0, VirtualRunStage.QUEUED, null, avoided, failures, WAITS, null, now))
                 .toList();
     }
 
@@ -119,30 +119,12 @@ public record VirtualRun(
     VirtualRun requeued(DroneId drone, Instant until, String words, Instant now) {
         Map<DroneId, Instant> next = new LinkedHashMap<>(avoided);
         next.put(drone, until);
-        return new VirtualRun(
-                order,
-                flown,
-                VirtualRunStage.QUEUED,
-                null,
-                next,
-                failures + 1,
-                words,
-                detail,
-                now);
+        return new VirtualRun(order, flown, VirtualRunStage.QUEUED, null, next, failures + 1, words, detail, now);
     }
 
     /** By the user's word, who has looked at why it stopped. */
     VirtualRun resumed(Instant now) {
-        return new VirtualRun(
-                order,
-                flown,
-                VirtualRunStage.QUEUED,
-                null,
-                Map.of(),
-                0,
-                WAITS,
-                null,
-                now);
+        return new VirtualRun(order, flown, VirtualRunStage.QUEUED, null, Map.of(), 0, WAITS, null, now);
     }
 
     /** The command is about to be given. */
@@ -164,16 +146,7 @@ public record VirtualRun(
     VirtualRun flown(int waypoints) {
         return waypoints <= flown
                 ? this
-                : new VirtualRun(
-                        order,
-                        waypoints,
-                        stage,
-                        assignment,
-                        avoided,
-                        failures,
-                        note,
-                        detail,
-                        changedAt);
+                : new VirtualRun(order, waypoints, stage, assignment, avoided, failures, note, detail, changedAt);
     }
 
     /** Says something else of the same. */

@@ -60,7 +60,9 @@ class MissionSharesTest {
         Mission mission = circle(12, 100);
         List<Mission> shares = MissionShares.of(mission, HOME, 3);
         assertThat(shares).hasSize(3).allMatch(share -> VirtualTour.fault(share).isEmpty());
-        assertThat(shares).extracting(share -> VirtualTour.of(share).waypoints().size()).containsExactly(4, 4, 4);
+        assertThat(shares)
+                .extracting(share -> VirtualTour.of(share).waypoints().size())
+                .containsExactly(4, 4, 4);
         assertThat(waypoints(shares)).isEqualTo(VirtualTour.of(mission).waypoints());
     }
 
@@ -119,9 +121,12 @@ class MissionSharesTest {
         items.addAll(circle(6, 100).items());
         items.add(new MissionItem.Land());
         List<Mission> shares = MissionShares.of(new Mission(items), HOME, 2);
-        assertThat(shares).hasSize(2).allSatisfy(share -> assertThat(share.items().get(0))
-                .isEqualTo(new MissionItem.TakeOff(35)));
-        assertThat(shares).extracting(share -> VirtualTour.of(share).landsThere()).containsExactly(false, true);
+        assertThat(shares)
+                .hasSize(2)
+                .allSatisfy(share -> assertThat(share.items().get(0)).isEqualTo(new MissionItem.TakeOff(35)));
+        assertThat(shares)
+                .extracting(share -> VirtualTour.of(share).landsThere())
+                .containsExactly(false, true);
     }
 
     @Test

@@ -56,8 +56,7 @@ class VirtualProgressTest {
 
     @Test
     void onlyAMissionOfWhichNothingIsFlownIsDividedAndOnlyOnce() {
-        VirtualRunOrder order = new VirtualRunOrder(
-                1, VirtualFixtures.mission(4), MissionCloudLossPolicy.CONTINUE, 3);
+        VirtualRunOrder order = new VirtualRunOrder(1, VirtualFixtures.mission(4), MissionCloudLossPolicy.CONTINUE, 3);
         VirtualRun asked = VirtualRun.asked(order, VirtualFixtures.NOW);
         assertThat(asked.isDivisible()).isTrue();
         assertThat(asked.flown(1).isDivisible()).isFalse();

@@ -99,9 +99,8 @@ public abstract class VirtualDroneStoreContract {
     void replacesAndForgets() {
         VirtualDrone bound = drone("v1", DroneRequirements.NONE, run(VirtualRunStage.UPLOADING, assignment(COPTER)));
         store.save(bound);
-        VirtualDrone done =
-                bound.with(0, run(VirtualRunStage.DONE, null))
-                        .with("Renamed “x”", new VirtualPlan(DroneRequirements.NONE, MISSION, 8));
+        VirtualDrone done = bound.with(0, run(VirtualRunStage.DONE, null))
+                .with("Renamed “x”", new VirtualPlan(DroneRequirements.NONE, MISSION, 8));
         store.save(done);
 
         assertThat(store.virtualDrones()).containsExactly(done);

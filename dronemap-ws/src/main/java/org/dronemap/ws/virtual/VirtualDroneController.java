@@ -126,8 +126,9 @@ class VirtualDroneController {
     @Operation(
             operationId = "resumeVirtualDrone",
             summary = "Go on with what is not flown yet (operator)",
-            description = "After somebody who goes first took the drone, or drone after drone could not go on. Of several"
-                    + " shares all go on that wait for it.")
+            description =
+                    "After somebody who goes first took the drone, or drone after drone could not go on. Of several"
+                            + " shares all go on that wait for it.")
     public VirtualDroneView resume(@PathVariable String id) {
         return virtuals.resume(current.principal(), id);
     }

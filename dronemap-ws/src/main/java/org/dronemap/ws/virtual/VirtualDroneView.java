@@ -25,7 +25,9 @@ public record VirtualDroneView(
         @Schema(description = "The mission as planned; null: none yet") @Nullable
         List<MissionItemView> items,
 
-        @Schema(description = "Up to so many drones share its mission, each flying a part of it") int upTo,
+        @Schema(description = "Up to so many drones share its mission, each flying a part of it; null: one flies it")
+        @Nullable
+        Integer upTo,
 
         @Schema(description = "Its mission as it was last asked for; null: never") @Nullable
         RunView run,
@@ -53,7 +55,8 @@ public record VirtualDroneView(
             @Schema(description = "Waypoints in all") int total,
             @Schema(allowableValues = {"continue", "rtl"}) String onCloudLoss,
 
-            @Schema(description = "Drones that serve it now") int drones,
+            @Schema(description = "Drones that serve it now; null: none") @Nullable
+            Integer drones,
 
             @Schema(description = "Why this drone was chosen; null: none is bound, or there are several shares")
             @Nullable
@@ -72,8 +75,9 @@ public record VirtualDroneView(
             String detail,
 
             @Schema(
-                    description = "The parts of the mission in their order, each flown by one drone; one, unless several"
-                            + " drones share it")
+                    description =
+                            "The parts of the mission in their order, each flown by one drone; one, unless several"
+                                    + " drones share it")
             List<ShareView> shares,
 
             @Schema(description = "Drones that cannot serve now, and why; only those that the asker may see")

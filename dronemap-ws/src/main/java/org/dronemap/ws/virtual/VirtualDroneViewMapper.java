@@ -54,16 +54,15 @@ public final class VirtualDroneViewMapper {
                 drone.mission() == null
                         ? null
                         : MissionItemView.of(drone.mission().items()),
-                drone.plan().upTo(),
+                drone.plan().upTo() == 1 ? null : (Integer) drone.plan().upTo(),
                 drone.runs().isEmpty() ? null : run(drone, principal),
                 drone.bound().stream().findFirst().flatMap(this::live).orElse(null),
                 actions(drone, principal));
     }
 
     private VirtualDroneView.RunView run(VirtualDrone drone, Principal principal) {
-        List<VirtualDroneView.ShareView> shares = drone.runs().stream()
-                .map(run -> share(drone, run, principal))
-                .toList();
+        List<VirtualDroneView.ShareView> shares =
+                drone.runs().stream().map(run -> share(drone, run, principal)).toList();
         VirtualProgress progress = VirtualProgress.of(drone.runs());
         VirtualDroneView.@Nullable ShareView only = shares.size() == 1 ? shares.get(0) : null;
         return new VirtualDroneView.RunView(
@@ -75,7 +74,7 @@ public final class VirtualDroneViewMapper {
                 progress.flown(),
                 progress.total(),
                 drone.runs().get(0).onCloudLoss() == MissionCloudLossPolicy.CONTINUE ? "continue" : "rtl",
-                progress.drones(),
+                progress.drones() == 0 ? null : (Integer) progress.drones(),
                 only == null ? null : only.why(),
                 only == null ? null : only.drone(),
                 only == null ? null : only.detail(),
@@ -105,7 +104,8 @@ public final class VirtualDroneViewMapper {
     }
 
     private String note(VirtualProgress progress) {
-        return progress.stage() == VirtualRunStage.QUEUED && virtuals.warehouse().isEmpty()
+        return progress.stage() == VirtualRunStage.QUEUED
+                        && virtuals.warehouse().isEmpty()
                 ? progress.sentence() + " There is none in the warehouse; a supervisor puts drones in."
                 : progress.sentence();
     }
