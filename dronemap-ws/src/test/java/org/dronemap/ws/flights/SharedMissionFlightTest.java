@@ -28,6 +28,7 @@ import org.junit.jupiter.api.Test;
 class SharedMissionFlightTest {
     private static final double HEIGHT = 20;
     private static final int WAYPOINTS = 9;
+    private static final long RTL = 6;
     private static final double SERVED_METERS = 2;
     /** Of the 20 while it waits. */
     private static final int FIXES_OF_WAITING = 18;
@@ -175,22 +176,23 @@ class SharedMissionFlightTest {
     void stoppingCallsAllHome() {
         String virtual = begun(3, 3);
         lab.untilSeen("all fly", TAKE_OFF, () -> areBound(virtual, 3) && allFly(virtual));
+        List<LabDrone> serving = serving(virtual);
         lab.server().virtuals().stop(chief.principal(), virtual);
+        lab.until("all turn home", SOON, () -> serving.stream().allMatch(drone -> drone.mode() == RTL));
         lab.untilSeen("it is stopped", TAKE_OFF, () -> run(virtual).state().equals("stopped"));
         assertThat(copters).allMatch(drone -> drone.isDown() && drone.away() < 3);
         assertThat(run(virtual).sentence()).startsWith("It was stopped: ");
     }
 
     @Test
-    void whoTakesOneDroneSuspendsItsShareAloneAndResumingGoesOnWithIt() {
+    void whoCallsOneDroneHomeSuspendsItsShareAloneAndResumingGoesOnWithIt() {
         String virtual = begun(3, 3);
         lab.untilSeen("all fly", TAKE_OFF, () -> areBound(virtual, 3) && allFly(virtual));
         LabDrone taken = serving(virtual).get(0);
         Pilot ann = lab.pilot("ann", Role.SUPERVISOR);
-        ann.takesOver(taken.id().value(), "to look at the roof");
-        lab.untilSeen("two go on", SOON, () -> areBound(virtual, 2));
-        assertThat(run(virtual).sentence()).contains("1 suspended");
         ann.does(taken, CommandRequests.returnToLaunch());
+        lab.untilSeen("its share waits", SOON, () -> run(virtual).sentence().contains("1 suspended"));
+        lab.throughout("two go on", SOON, () -> areBound(virtual, 2));
         lab.server().virtuals().resume(chief.principal(), virtual);
         awaitsDone(virtual);
         assertThat(places()).allSatisfy(place -> assertThat(servedBy(place)).isNotEmpty());
