@@ -55,7 +55,11 @@ class SharedMissionFlightTest {
     }
 
     private String planned(Integer upTo) {
-        List<MissionItem> items = places().stream()
+        return planned(upTo, places());
+    }
+
+    private String planned(Integer upTo, List<Geodetic> places) {
+        List<MissionItem> items = places.stream()
                 .<MissionItem>map(place -> new MissionItem.Waypoint(place, Altitude.aboveHome(HEIGHT), 2))
                 .toList();
         return lab.server()
@@ -65,7 +69,10 @@ class SharedMissionFlightTest {
     }
 
     private String begun(int upTo, int lent) {
-        String virtual = planned(upTo);
+        return begun(planned(upTo), lent);
+    }
+
+    private String begun(String virtual, int lent) {
         copters.subList(0, lent)
                 .forEach(drone -> lab.server()
                         .warehouse()
@@ -97,8 +104,12 @@ class SharedMissionFlightTest {
     }
 
     private void awaitsDone(String virtual) {
+        awaitsDone(virtual, WAYPOINTS);
+    }
+
+    private void awaitsDone(String virtual, int waypoints) {
         lab.untilSeen("it is done", WHOLE, () -> run(virtual).state().equals("done"));
-        assertThat(run(virtual).flown()).isEqualTo(WAYPOINTS);
+        assertThat(run(virtual).flown()).isEqualTo(waypoints);
         lab.until(
                 "all are down",
                 TAKE_OFF,
@@ -196,6 +207,22 @@ class SharedMissionFlightTest {
         lab.server().virtuals().resume(chief.principal(), virtual);
         awaitsDone(virtual);
         assertThat(places()).allSatisfy(place -> assertThat(servedBy(place)).isNotEmpty());
+    }
+
+    /** No plan keeps their shares apart, so their whole flights are compared before they begin, as strangers' are. */
+    @Test
+    void oneWaitsOnTheGroundWhoseShareWouldMeetAnothers() {
+        LabDrone first = copters.get(0);
+        String virtual = planned(
+                2, List.of(first.place(-60, 0), first.place(-60, 150), first.place(-60, 155), first.place(-60, 5)));
+        begun(virtual, 2);
+        lab.untilSeen("two are bound", SOON, () -> areBound(virtual, 2));
+        lab.until(
+                "one waits on the ground",
+                SOON,
+                () -> run(virtual).shares().stream()
+                        .anyMatch(share -> share.sentence().contains("waits on the ground")));
+        awaitsDone(virtual, 4);
     }
 
     @Test
