@@ -63,7 +63,7 @@ def test_a_person_sends_a_drone_to_a_place(
     card = page.get_by_role("dialog", name="Send a drone here")
     expect(card).to_be_visible()
     picture(page, f"send-{kind}-1-place")
-    card.get_by_label("Height above its home (m)").fill("12")
+    card.get_by_label("Height above take-off (m)").fill("12")
     station.press("Send the best drone")
     picture(page, f"send-{kind}-2-sent")
     sent = page.get_by_role("region", name="Drone that was sent")

@@ -35,10 +35,12 @@ async def list_virtual(session: Session) -> None:
 @virtual.command()
 @click.argument("name")
 @click.argument("file", type=FILE, required=False)
+@click.option("--up-to", type=click.IntRange(1, 8), metavar="N", help="So many drones may share its mission.")
 @connected
-async def add(session: Session, name: str, file: Path | None) -> None:
+async def add(session: Session, name: str, file: Path | None, up_to: int | None) -> None:
     """Make a virtual drone, with the mission of FILE."""
-    asked = VirtualDroneRequest(name=name, items=None if file is None else read_mission(file).items)
+    items = None if file is None else read_mission(file).items
+    asked = VirtualDroneRequest(name=name, items=items, up_to=up_to)
     view = await session.server.rest.add_virtual_drone(asked)
     session.output.show(view, f"{view.name}: made as {view.id}.")
 

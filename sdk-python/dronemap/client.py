@@ -139,8 +139,11 @@ class AsyncDronemap:
         listed = await self.rest.list_virtual_drones()
         return [AsyncVirtualDrone(view, self.rest, self.stream) for view in listed.virtual_drones]
 
-    async def add_virtual_drone(self, name: str, mission: Mission | None = None) -> AsyncVirtualDrone:
-        asked = VirtualDroneRequest(name=name, items=None if mission is None else mission.items)
+    async def add_virtual_drone(
+        self, name: str, mission: Mission | None = None, up_to: int | None = None
+    ) -> AsyncVirtualDrone:
+        """`up_to`: so many drones may share its mission; one, where it is left out."""
+        asked = VirtualDroneRequest(name=name, items=None if mission is None else mission.items, up_to=up_to)
         return AsyncVirtualDrone(await self.rest.add_virtual_drone(asked), self.rest, self.stream)
 
     async def close(self) -> None:

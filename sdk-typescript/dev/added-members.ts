@@ -7,6 +7,8 @@ export const ADDED_MEMBERS: Readonly<Record<string, readonly string[]>> = {
   DroneLinkView: ['outdated'],
   PlanView: ['upTo'],
   RunView: ['upTo'],
+  VirtualDroneRunView: ['drones', 'shares'],
+  VirtualDroneView: ['upTo'],
 };
 
 export function withAddedMembersOptional(

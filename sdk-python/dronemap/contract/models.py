@@ -2984,6 +2984,58 @@ class VirtualDronePlaceView(Model):
     position: int
 
 
+class VirtualDroneShareView(Model):
+    """
+    A part of a mission that one drone flies at a time.
+    """
+
+    detail: str | None = None
+    """
+    What drone or gate said; null: nothing, or the asker may not see it
+    """
+    drone: VirtualDroneDroneName | None = None
+    """
+    The drone that serves it; null: none, or the asker may not see it
+    """
+    flown: int
+    """
+    Waypoints of it that are flown
+    """
+    live: VirtualDroneLiveView | None = None
+    """
+    The drone that serves it, without its name; null: none does
+    """
+    sentence: str
+    """
+    How it is, for people
+    """
+    state: (
+        Literal[
+            "queued",
+            "uploading",
+            "arming",
+            "starting",
+            "flying",
+            "returning",
+            "givingUp",
+            "stopping",
+            "suspended",
+            "done",
+            "failed",
+            "stopped",
+        ]
+        | str
+    )
+    total: int
+    """
+    Waypoints in it
+    """
+    why: str | None = None
+    """
+    Why this drone was chosen; null: none is bound
+    """
+
+
 class VirtualDroneStartRequest(Model):
     on_cloud_loss: Literal["continue", "rtl"] | None = None
     """
@@ -3785,6 +3837,10 @@ class VirtualDroneRequest(Model):
     """
     What a drone must be to serve; left out: any that can fly the mission
     """
+    up_to: Annotated[int | None, Field(examples=[3])] = None
+    """
+    Up to so many drones share its mission, each flying a part of it, where that is sooner done; left out: one flies it, 1 to 8
+    """
 
 
 class VirtualDroneRunView(Model):
@@ -3795,11 +3851,15 @@ class VirtualDroneRunView(Model):
     changed_at: AwareDatetime
     detail: str | None = None
     """
-    What drone or gate said; null: nothing, or the asker may not see it
+    What drone or gate said; null: nothing, the asker may not see it, or there are several shares
     """
     drone: VirtualDroneDroneName | None = None
     """
-    The drone that serves it; null: none, or the asker may not see it
+    The drone that serves it; null: none, the asker may not see it, or there are several shares
+    """
+    drones: int | None = None
+    """
+    Drones that serve it now; null: none
     """
     flown: int
     """
@@ -3813,6 +3873,10 @@ class VirtualDroneRunView(Model):
     sentence: str
     """
     How it is, for people
+    """
+    shares: list[VirtualDroneShareView] = []
+    """
+    The parts of the mission in their order, each flown by one drone; one, unless several drones share it
     """
     state: (
         Literal[
@@ -3841,7 +3905,7 @@ class VirtualDroneRunView(Model):
     """
     why: str | None = None
     """
-    Why this drone was chosen; null: none is bound
+    Why this drone was chosen; null: none is bound, or there are several shares
     """
 
 
@@ -3861,7 +3925,7 @@ class VirtualDroneView(Model):
     """
     live: VirtualDroneLiveView | None = None
     """
-    The drone that serves it, without its name; null: none does
+    The drone that serves it (of several the first), without its name; null: none does
     """
     name: str
     needs: VirtualDroneNeedsView
@@ -3869,6 +3933,10 @@ class VirtualDroneView(Model):
     run: VirtualDroneRunView | None = None
     """
     Its mission as it was last asked for; null: never
+    """
+    up_to: int | None = None
+    """
+    Up to so many drones share its mission, each flying a part of it; null: one flies it
     """
 
 

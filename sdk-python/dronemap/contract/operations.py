@@ -1248,7 +1248,7 @@ class Operations:
 
     async def resume_virtual_drone(self, id: str) -> models.VirtualDroneView:
         """Go on with what is not flown yet (operator). After somebody who goes first took the drone, or drone after
-        drone could not go on.
+        drone could not go on. Of several shares all go on that wait for it.
         """
         call = Call("resumeVirtualDrone", "POST", placed("/virtual-drones/{id}/resume", id=id))
         return await self._sender.send(call, models.VirtualDroneView)
@@ -1432,8 +1432,8 @@ class Operations:
     async def start_virtual_drone(
         self, id: str, body: models.VirtualDroneStartRequest | None = None
     ) -> models.VirtualDroneView:
-        """Have its mission flown (operator). By the best drone that is free; else it waits, and its place in the
-        queue is told.
+        """Have its mission flown (operator). By the best drone that is free, or by several where they may share it;
+        else it waits, and its place in the queue is told.
         """
         call = Call("startVirtualDrone", "POST", placed("/virtual-drones/{id}/start", id=id), body=body)
         return await self._sender.send(call, models.VirtualDroneView)
@@ -1457,7 +1457,7 @@ class Operations:
         return await self._sender.send(call, models.RunView)
 
     async def stop_virtual_drone(self, id: str) -> models.VirtualDroneView:
-        """Stop its mission (operator; supervisors any). The drone that serves it comes home."""
+        """Stop its mission (operator; supervisors any). All drones that serve it come home."""
         call = Call("stopVirtualDrone", "POST", placed("/virtual-drones/{id}/stop", id=id))
         return await self._sender.send(call, models.VirtualDroneView)
 

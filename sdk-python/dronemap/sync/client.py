@@ -118,8 +118,9 @@ class Dronemap:
     def virtual_drones(self) -> list[VirtualDrone]:
         return [VirtualDrone(self._loop, drone) for drone in self._loop.run(self._awaited.virtual_drones())]
 
-    def add_virtual_drone(self, name: str, mission: Mission | None = None) -> VirtualDrone:
-        return VirtualDrone(self._loop, self._loop.run(self._awaited.add_virtual_drone(name, mission)))
+    def add_virtual_drone(self, name: str, mission: Mission | None = None, up_to: int | None = None) -> VirtualDrone:
+        """`up_to`: so many drones may share its mission; one, where it is left out."""
+        return VirtualDrone(self._loop, self._loop.run(self._awaited.add_virtual_drone(name, mission, up_to)))
 
     def close(self) -> None:
         self._loop.run(self._awaited.close())

@@ -1026,7 +1026,7 @@ class SyncOperations:
 
     def resume_virtual_drone(self, id: str) -> models.VirtualDroneView:
         """Go on with what is not flown yet (operator). After somebody who goes first took the drone, or drone after
-        drone could not go on.
+        drone could not go on. Of several shares all go on that wait for it.
         """
         return self._loop.run(self._awaited.resume_virtual_drone(id))
 
@@ -1168,8 +1168,8 @@ class SyncOperations:
     def start_virtual_drone(
         self, id: str, body: models.VirtualDroneStartRequest | None = None
     ) -> models.VirtualDroneView:
-        """Have its mission flown (operator). By the best drone that is free; else it waits, and its place in the
-        queue is told.
+        """Have its mission flown (operator). By the best drone that is free, or by several where they may share it;
+        else it waits, and its place in the queue is told.
         """
         return self._loop.run(self._awaited.start_virtual_drone(id, body))
 
@@ -1189,7 +1189,7 @@ class SyncOperations:
         return self._loop.run(self._awaited.stop_run(id))
 
     def stop_virtual_drone(self, id: str) -> models.VirtualDroneView:
-        """Stop its mission (operator; supervisors any). The drone that serves it comes home."""
+        """Stop its mission (operator; supervisors any). All drones that serve it come home."""
         return self._loop.run(self._awaited.stop_virtual_drone(id))
 
     def take_back_drone(self, id: str, drone: str) -> models.GiftView:

@@ -115,6 +115,13 @@ CASES = [
     Case("follow cancel f1", "POST /follows/f1/cancel", samples.FOLLOW, "Walk"),
     Case("virtual list", "GET /virtual-drones", VIRTUALS["GET /virtual-drones"], "Done"),
     Case("virtual add survey mission.json", "POST /virtual-drones", samples.VIRTUAL, "v1", {"items": samples.ITEMS}),
+    Case(
+        "virtual add survey mission.json --up-to 3",
+        "POST /virtual-drones",
+        samples.VIRTUAL,
+        "v1",
+        {"items": samples.ITEMS, "upTo": 3},
+    ),
     Case("virtual start survey", "POST /virtual-drones/v1/start", samples.VIRTUAL, "Done", None, VIRTUALS),
     Case("virtual start v1 --no-wait", "POST /virtual-drones/v1/start", samples.VIRTUAL, "Done", None, VIRTUALS),
     Case("virtual stop survey", "POST /virtual-drones/v1/stop", samples.VIRTUAL, "Done", None, VIRTUALS),

@@ -2115,10 +2115,15 @@ export interface components {
         VirtualDroneRunView: {
             /** Format: date-time */
             changedAt: string;
-            /** @description What drone or gate said; null: nothing, or the asker may not see it */
+            /** @description What drone or gate said; null: nothing, the asker may not see it, or there are several shares */
             detail: string | null;
-            /** @description The drone that serves it; null: none, or the asker may not see it */
+            /** @description The drone that serves it; null: none, the asker may not see it, or there are several shares */
             drone: components["schemas"]["VirtualDroneDroneName"] | null;
+            /**
+             * Format: int32
+             * @description Drones that serve it now; null: none
+             */
+            drones?: number | null;
             /**
              * Format: int32
              * @description Waypoints that are flown
@@ -2130,6 +2135,8 @@ export interface components {
             queue: components["schemas"]["VirtualDronePlaceView"] | null;
             /** @description How it is, for people */
             sentence: string;
+            /** @description The parts of the mission in their order, each flown by one drone; one, unless several drones share it */
+            shares?: components["schemas"]["VirtualDroneShareView"][];
             /** @enum {string} */
             state: "queued" | "uploading" | "arming" | "starting" | "flying" | "returning" | "givingUp" | "stopping" | "suspended" | "done" | "failed" | "stopped";
             /**
@@ -2139,6 +2146,31 @@ export interface components {
             total: number;
             /** @description Drones that cannot serve now, and why; only those that the asker may see */
             unfit: components["schemas"]["VirtualDroneUnfitView"][];
+            /** @description Why this drone was chosen; null: none is bound, or there are several shares */
+            why: string | null;
+        };
+        /** @description A part of a mission that one drone flies at a time. */
+        VirtualDroneShareView: {
+            /** @description What drone or gate said; null: nothing, or the asker may not see it */
+            detail: string | null;
+            /** @description The drone that serves it; null: none, or the asker may not see it */
+            drone: components["schemas"]["VirtualDroneDroneName"] | null;
+            /**
+             * Format: int32
+             * @description Waypoints of it that are flown
+             */
+            flown: number;
+            /** @description The drone that serves it, without its name; null: none does */
+            live: components["schemas"]["VirtualDroneLiveView"] | null;
+            /** @description How it is, for people */
+            sentence: string;
+            /** @enum {string} */
+            state: "queued" | "uploading" | "arming" | "starting" | "flying" | "returning" | "givingUp" | "stopping" | "suspended" | "done" | "failed" | "stopped";
+            /**
+             * Format: int32
+             * @description Waypoints in it
+             */
+            total: number;
             /** @description Why this drone was chosen; null: none is bound */
             why: string | null;
         };
@@ -2157,13 +2189,18 @@ export interface components {
             id: string;
             /** @description The mission as planned; null: none yet */
             items: components["schemas"]["MissionItemView"][] | null;
-            /** @description The drone that serves it, without its name; null: none does */
+            /** @description The drone that serves it (of several the first), without its name; null: none does */
             live: components["schemas"]["VirtualDroneLiveView"] | null;
             name: string;
             needs: components["schemas"]["VirtualDroneNeedsView"];
             owner: string;
             /** @description Its mission as it was last asked for; null: never */
             run: components["schemas"]["VirtualDroneRunView"] | null;
+            /**
+             * Format: int32
+             * @description Up to so many drones share its mission, each flying a part of it; null: one flies it
+             */
+            upTo?: number | null;
         };
         /** @description Wait in the air where it is. */
         WaitItem: {
@@ -4003,6 +4040,12 @@ export interface components {
             name?: string | null;
             /** @description What a drone must be to serve; left out: any that can fly the mission */
             needs?: components["schemas"]["VirtualDroneNeedsView"] | null;
+            /**
+             * Format: int32
+             * @description Up to so many drones share its mission, each flying a part of it, where that is sooner done; left out: one flies it
+             * @example 3
+             */
+            upTo?: number | null;
         };
         VirtualDroneStartRequest: {
             /**
@@ -4240,6 +4283,7 @@ export type VirtualDroneLiveView = components['schemas']['VirtualDroneLiveView']
 export type VirtualDroneNeedsView = components['schemas']['VirtualDroneNeedsView'];
 export type VirtualDronePlaceView = components['schemas']['VirtualDronePlaceView'];
 export type VirtualDroneRunView = components['schemas']['VirtualDroneRunView'];
+export type VirtualDroneShareView = components['schemas']['VirtualDroneShareView'];
 export type VirtualDroneUnfitView = components['schemas']['VirtualDroneUnfitView'];
 export type VirtualDroneView = components['schemas']['VirtualDroneView'];
 export type WaitItem = components['schemas']['WaitItem'];

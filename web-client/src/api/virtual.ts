@@ -13,6 +13,7 @@ import type {
 export type { DroneName, Prospects, VirtualRun };
 export type {
   WarehouseProspectView as Prospect,
+  VirtualDroneShareView as VirtualShare,
   VirtualDroneLiveView as VirtualLive,
 } from '@dronemap/client';
 

@@ -15,6 +15,8 @@ describe('a drone that was sent in words', () => {
   it('says what is wrong before all else, and then why it ended', () => {
     const told = [{ at: '2026-01-01T12:00:00Z', words: 'Falcon was chosen.' }];
     expect(newestWords(aDispatch({ told }))).toBe('Falcon was chosen.');
+    const here = [{ at: '2026-01-01T12:00:00Z', words: 'Falcon is here: control is yours. It holds.' }];
+    expect(newestWords(aDispatch({ told: here, state: 'here' }))).toBe('It holds.');
     expect(newestWords(aDispatch({ told, end: 'No other drone can come.' }))).toBe(
       'No other drone can come.',
     );

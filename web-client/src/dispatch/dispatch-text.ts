@@ -31,7 +31,10 @@ function arrival(now: Dispatch['now']): string {
   return seconds === null ? away : `${away} · ${span(seconds)}`;
 }
 
-/** The newest of its sentences, or null. */
-export function newestWords({ note, end, told }: Dispatch): string | null {
-  return note ?? end ?? told.at(-1)?.words ?? null;
+/** The newest of its sentences without what {@link stageText} says already, or null. */
+export function newestWords(dispatch: Dispatch): string | null {
+  const { note, end, told } = dispatch;
+  const words = note ?? end ?? told.at(-1)?.words ?? null;
+  const said = `${stageText(dispatch)}. `;
+  return words?.startsWith(said) === true ? words.slice(said.length) : words;
 }

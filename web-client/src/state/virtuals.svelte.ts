@@ -44,11 +44,13 @@ export class Virtuals {
 
   /** Answers whether it worked. */
   add(name: string, needs: VirtualNeeds): Promise<boolean> {
-    return this.#attempt(async () => this.apply(await this.#calls.add({ name, needs, items: null })));
+    return this.#attempt(async () =>
+      this.apply(await this.#calls.add({ name, needs, items: null, upTo: 1 })),
+    );
   }
 
-  plan(drone: VirtualDrone, items: readonly PlannedItem[]): Promise<boolean> {
-    const request = { name: drone.name, needs: drone.needs, items: [...items] };
+  plan(drone: VirtualDrone, items: readonly PlannedItem[], upTo: number): Promise<boolean> {
+    const request = { name: drone.name, needs: drone.needs, items: [...items], upTo };
     return this.#attempt(async () => this.apply(await this.#calls.replace(drone.id, request)));
   }
 

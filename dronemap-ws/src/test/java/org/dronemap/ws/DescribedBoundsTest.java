@@ -254,7 +254,8 @@ class DescribedBoundsTest {
                         "{\"points\":[{\"altitude\":10," + PLACE + "}]}"),
                 post(
                         "/virtual-drones",
-                        "{\"name\":\"a\",\"needs\":{\"enduranceMinutes\":1,\"area\":{\"radius\":5," + PLACE + "}}}"));
+                        "{\"name\":\"a\",\"upTo\":1,\"needs\":{\"enduranceMinutes\":1,\"area\":{\"radius\":5," + PLACE
+                                + "}}}"));
     }
 
     private Example as(TestHttpClient who, String path, String body) {

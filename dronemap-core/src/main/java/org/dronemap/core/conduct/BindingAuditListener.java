@@ -3,7 +3,9 @@ package org.dronemap.core.conduct;
 import java.time.Clock;
 import java.util.Collection;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.dronemap.core.audit.AuditEntry;
 import org.dronemap.core.audit.AuditOutcome;
 import org.dronemap.core.audit.AuditStore;
@@ -23,48 +25,55 @@ public final class BindingAuditListener implements VirtualDroneListener {
 
     private final AuditStore audit;
     private final Clock clock;
-    private final Map<VirtualDroneId, DroneId> serving = new HashMap<>();
+    /** By their shares. */
+    private final Map<VirtualDroneId, List<Optional<DroneId>>> serving = new HashMap<>();
 
     /** {@code known}: as they are before the first change is heard of. */
     public BindingAuditListener(AuditStore audit, Clock clock, Collection<VirtualDrone> known) {
         this.audit = audit;
         this.clock = clock;
-        for (VirtualDrone drone : known) {
-            DroneId bound = drone.boundTo();
-            if (bound != null) {
-                serving.put(drone.id(), bound);
-            }
-        }
+        known.forEach(drone -> serving.put(drone.id(), bound(drone)));
+    }
+
+    private static List<Optional<DroneId>> bound(VirtualDrone drone) {
+        return drone.runs().stream()
+                .map(run -> Optional.ofNullable(run.boundTo()))
+                .toList();
     }
 
     @Override
     public void changed(VirtualDrone drone) {
-        DroneId before = serving.get(drone.id());
-        DroneId now = drone.boundTo();
-        VirtualRun run = drone.run();
-        if (run == null || (before == null ? now == null : before.equals(now))) {
-            return;
+        List<Optional<DroneId>> before = serving.getOrDefault(drone.id(), List.of());
+        List<Optional<DroneId>> now = bound(drone);
+        serving.put(drone.id(), now);
+        for (int share = 0; share < now.size(); share++) {
+            Optional<DroneId> last = share < before.size() ? before.get(share) : Optional.empty();
+            if (!last.equals(now.get(share))) {
+                VirtualRun run = drone.runs().get(share);
+                last.ifPresent(served -> released(drone, run, served));
+                now.get(share).ifPresent(served -> bound(drone, run, served));
+            }
         }
-        if (before != null) {
-            serving.remove(drone.id());
-            boolean failed = run.stage() == VirtualRunStage.FAILED || run.stage() == VirtualRunStage.QUEUED;
-            append(
-                    drone,
-                    before,
-                    "releaseDrone",
-                    failed ? AuditOutcome.FAILED : AuditOutcome.SUCCEEDED,
-                    run.detail() == null ? run.note() : run.detail());
-        }
-        if (now != null) {
-            serving.put(drone.id(), now);
-            VirtualRunAssignment assignment = run.assignment();
-            append(
-                    drone,
-                    now,
-                    "bindDrone",
-                    AuditOutcome.SUCCEEDED,
-                    assignment == null ? null : assignment.choice().sentence(DroneId::value));
-        }
+    }
+
+    private void released(VirtualDrone drone, VirtualRun run, DroneId served) {
+        boolean failed = run.stage() == VirtualRunStage.FAILED || run.stage() == VirtualRunStage.QUEUED;
+        append(
+                drone,
+                served,
+                "releaseDrone",
+                failed ? AuditOutcome.FAILED : AuditOutcome.SUCCEEDED,
+                run.detail() == null ? run.note() : run.detail());
+    }
+
+    private void bound(VirtualDrone drone, VirtualRun run, DroneId served) {
+        VirtualRunAssignment assignment = run.assignment();
+        append(
+                drone,
+                served,
+                "bindDrone",
+                AuditOutcome.SUCCEEDED,
+                assignment == null ? null : assignment.choice().sentence(DroneId::value));
     }
 
     @Override

@@ -147,7 +147,7 @@ public final class SeparationConductor implements AutoCloseable {
                 silence(state),
                 counts ? intent : null,
                 handling,
-                holder == null ? null : holder.id(),
+                holder != null && board.isPlanned(holder.id()) ? holder.id() : null,
                 velocities.velocity(state.id()),
                 isManual(state, handling) ? paces.manual(state) : paces.of(state));
     }

@@ -60,8 +60,7 @@ final class VirtualDroneRegistry {
     }
 
     private static long ticket(VirtualDrone drone) {
-        VirtualRun run = drone.run();
-        return run == null ? 0 : run.ticket();
+        return drone.runs().stream().mapToLong(VirtualRun::ticket).findFirst().orElse(0);
     }
 
     void put(VirtualDrone drone) {

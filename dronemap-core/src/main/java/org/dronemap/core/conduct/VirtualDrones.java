@@ -26,6 +26,7 @@ import org.dronemap.core.virtual.VirtualDroneObjection;
 import org.dronemap.core.virtual.VirtualDroneStore;
 import org.dronemap.core.virtual.VirtualRun;
 import org.dronemap.core.virtual.VirtualRunMachine;
+import org.dronemap.core.virtual.VirtualRunOrder;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -46,6 +47,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
     private final VirtualDroneRegistry book;
     private final VirtualRunMachine machine;
     private final VirtualRunExecutor runs;
+    private final VirtualRunQueue queue;
     private final LostDroneRecall recalls;
     private final Duration rhythm;
     private final Clock clock;
@@ -100,8 +102,9 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
         this.clock = time.clock();
         this.thread = new ExecutionThread(time, "conductor");
         DroneGateway crew = new DroneGateway(cloud, FACE);
-        this.runs =
-                new VirtualRunExecutor(cloud, book, crew, new VirtualRunExecutor.Context(machine, rights, board, time));
+        VirtualRunExecutor.Context context = new VirtualRunExecutor.Context(machine, rights, board, time);
+        this.runs = new VirtualRunExecutor(cloud, book, crew, context);
+        this.queue = new VirtualRunQueue(cloud, book, crew, context);
         this.recalls = new LostDroneRecall(cloud, book, new ReturnCommander(crew, time));
     }
 
@@ -145,7 +148,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
 
     /** Why the drones of the warehouse cannot serve it now; nothing when it does not wait. */
     public List<DroneSelection.Unfit> waitingFor(VirtualDroneId id) {
-        return runs.waitingFor(id);
+        return queue.waitingFor(id);
     }
 
     public void add(VirtualDrone drone) {
@@ -160,7 +163,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
         return thread.ask(() -> put(change.apply(known(id))));
     }
 
-    /** Asks for its mission to be flown; it waits for its turn. */
+    /** Asks for its mission to be flown, by as many drones as it may have; it waits for its turn. */
     public VirtualDrone launch(VirtualDroneId id, MissionCloudLossPolicy onCloudLoss) {
         return thread.ask(() -> {
             VirtualDrone drone = known(id);
@@ -171,29 +174,32 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
             if (drone.isUnderWay()) {
                 throw new Refused(VirtualDroneObjection.UNDER_WAY, "Its mission is under way already.");
             }
-            return put(drone.with(VirtualRun.asked(book.nextTicket(), mission, onCloudLoss, clock.instant())));
+            VirtualRunOrder order = new VirtualRunOrder(
+                    book.nextTicket(), mission, onCloudLoss, drone.plan().upTo());
+            return put(drone.with(List.of(VirtualRun.asked(order, clock.instant()))));
         });
     }
 
     public VirtualDrone stop(VirtualDroneId id) {
         return thread.ask(() -> {
             VirtualDrone drone = known(id);
-            VirtualRun run = drone.run();
-            if (run == null || run.stage().isOver()) {
+            if (!drone.isUnderWay()) {
                 throw new Refused(VirtualDroneObjection.NOT_UNDER_WAY, "Its mission is not under way.");
             }
-            return put(drone.with(machine.stop(run, clock.instant())));
+            return put(drone.with(drone.runs().stream()
+                    .map(run -> machine.stop(run, clock.instant()))
+                    .toList()));
         });
     }
 
-    /** Goes on with the waypoints that are not flown. */
+    /** Goes on with the waypoints that are not flown, of all shares that wait for that. */
     public VirtualDrone resume(VirtualDroneId id) {
         return thread.ask(() -> {
             VirtualDrone drone = known(id);
-            VirtualRun run = drone.run();
-            VirtualRun resumed =
-                    run == null ? null : machine.resume(run, clock.instant()).orElse(null);
-            if (resumed == null) {
+            List<VirtualRun> resumed = drone.runs().stream()
+                    .map(run -> machine.resume(run, clock.instant()).orElse(run))
+                    .toList();
+            if (resumed.equals(drone.runs())) {
                 throw new Refused(VirtualDroneObjection.NOT_SUSPENDED, "It does not wait for being resumed.");
             }
             return put(drone.with(resumed));
@@ -221,7 +227,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
 
     /** What waits for a drone, the first in turn first, and what that one would fly of it at once. Changes nothing. */
     public List<VirtualDroneMatch> prospects(DroneState drone) {
-        return thread.ask(() -> runs.prospects(drone));
+        return thread.ask(() -> queue.prospects(drone));
     }
 
     public void addToWarehouse(DroneId drone) {
@@ -259,9 +265,9 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
                         .isPresent();
         if (others) {
             soon(() -> book.all().stream()
-                    .filter(drone -> command.drone().equals(drone.boundTo()))
-                    .forEach(drone ->
-                            runs.interrupt(drone, command.by() + " told the drone: " + command.summary() + ".")));
+                    .filter(drone -> drone.bound().contains(command.drone()))
+                    .forEach(drone -> runs.interrupt(
+                            drone, command.drone(), command.by() + " told the drone: " + command.summary() + ".")));
         }
     }
 
@@ -290,7 +296,7 @@ public final class VirtualDrones implements CloudListener, AutoCloseable {
         guard(runs::publishIntents);
         turn = (turn + 1) % TURNS_PER_SEARCH;
         if (turn == 0) {
-            guard(runs::serveQueue);
+            guard(queue::serve);
         }
     }
 

@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.LongAdder;
 import org.dronemap.core.drone.DroneId;
@@ -12,6 +13,7 @@ import org.dronemap.core.drone.DroneId;
 public final class SeparationBoard {
     private final Map<String, Map<DroneId, FlightIntent>> intents = new ConcurrentHashMap<>();
     private final LongAdder rounds = new LongAdder();
+    private volatile Set<String> unplanned = Set.of();
     private volatile Map<DroneId, GiveWay> giveWays = Map.of();
     private volatile Map<DroneId, List<PossiblePlace>> silent = Map.of();
 
@@ -29,6 +31,16 @@ public final class SeparationBoard {
         Map<DroneId, FlightIntent> all = new HashMap<>();
         intents.values().forEach(all::putAll);
         return all;
+    }
+
+    /** These operations have several drones, which no plan keeps apart: each is to the others as a stranger's. */
+    public void unplanned(Set<String> operations) {
+        unplanned = Set.copyOf(operations);
+    }
+
+    /** Whether the drones of that operation were planned together. */
+    public boolean isPlanned(String operation) {
+        return !unplanned.contains(operation);
     }
 
     public void publish(Map<DroneId, GiveWay> next, Map<DroneId, List<PossiblePlace>> unheard) {

@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param silence for how long nothing was heard; zero while its link is live
  * @param intent null: nobody here means it to do anything
- * @param operation the id of the operation that has it; null: none has
+ * @param operation the id of the operation that has it and planned it together with its other drones; null: none did
  * @param velocity over the ground, as its positions show it
  * @param pace as far as it was seen, or is told by its intent
  */

@@ -2,6 +2,7 @@ package org.dronemap.core.virtual;
 
 import java.time.Instant;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import org.dronemap.core.command.CommandId;
 import org.dronemap.core.command.MissionCloudLossPolicy;
@@ -10,12 +11,9 @@ import org.dronemap.core.mission.Mission;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The flight of a virtual drone's mission, from the user's request to its end; immutable. Each waypoint below {@code
- * flown} is behind it; all others are the one assignment's, or nobody's.
+ * The flight of a virtual drone's mission, or of one share of it, from the user's request to its end; immutable. Each
+ * waypoint below {@code flown} is behind it; all others are the one assignment's, or nobody's.
  *
- * @param ticket who asked first has the lower one, and goes first
- * @param mission as it was planned when it was asked for; a {@link VirtualTour}
- * @param onCloudLoss what a drone does by itself when it no longer hears the cloud
  * @param assignment not null exactly as long as it is bound
  * @param avoided drones that could not go on, and until when none of them is asked again
  * @param failures drones that could not go on, in all
@@ -23,9 +21,7 @@ import org.jspecify.annotations.Nullable;
  * @param detail what the drone or the gate said, for those who may know the drone; null: nothing
  */
 public record VirtualRun(
-        long ticket,
-        Mission mission,
-        MissionCloudLossPolicy onCloudLoss,
+        VirtualRunOrder order,
         int flown,
         VirtualRunStage stage,
         @Nullable VirtualRunAssignment assignment,
@@ -34,6 +30,8 @@ public record VirtualRun(
         String note,
         @Nullable String detail,
         Instant changedAt) {
+    private static final String WAITS = "It waits for a drone.";
+
     public VirtualRun {
         avoided = Map.copyOf(avoided);
         if (stage.isBound() != (assignment != null)) {
@@ -42,23 +40,47 @@ public record VirtualRun(
     }
 
     /** Has just been asked for. */
-    public static VirtualRun asked(long ticket, Mission mission, MissionCloudLossPolicy onCloudLoss, Instant now) {
-        return new VirtualRun(
-                ticket,
-                mission,
-                onCloudLoss,
-                0,
-                VirtualRunStage.QUEUED,
-                null,
-                Map.of(),
-                0,
-                "It waits for a drone.",
-                null,
-                now);
+    public static VirtualRun asked(VirtualRunOrder order, Instant now) {
+        return new VirtualRun(order, 0, VirtualRunStage.QUEUED, null, Map.of(), 0, WAITS, null, now);
+    }
+
+    /** Runs of the shares, each for one drone, in the place of this one, of which nothing is flown. */
+    public List<VirtualRun> divided(List<Mission> shares, Instant now) {
+        return shares.stream()
+                .map(share -> new VirtualRunOrder(ticket(), share, onCloudLoss(), 1))
+                .map(share ->
+                        new VirtualRun(share, 0, VirtualRunStage.QUEUED, null, avoided, failures, WAITS, null, now))
+                .toList();
+    }
+
+    public long ticket() {
+        return order.ticket();
+    }
+
+    public Mission mission() {
+        return order.mission();
+    }
+
+    public MissionCloudLossPolicy onCloudLoss() {
+        return order.onCloudLoss();
+    }
+
+    /** Several drones may share it, since none has flown any of it. */
+    public boolean isDivisible() {
+        return stage == VirtualRunStage.QUEUED && flown == 0 && order.upTo() > 1 && total() > 1;
+    }
+
+    public boolean isWaiting() {
+        return stage == VirtualRunStage.QUEUED;
+    }
+
+    /** The drone that serves it; null: none. */
+    public @Nullable DroneId boundTo() {
+        return assignment == null ? null : assignment.drone();
     }
 
     public VirtualTour tour() {
-        return VirtualTour.of(mission);
+        return VirtualTour.of(mission());
     }
 
     /** Waypoints in all. */
@@ -97,34 +119,12 @@ public record VirtualRun(
     VirtualRun requeued(DroneId drone, Instant until, String words, Instant now) {
         Map<DroneId, Instant> next = new LinkedHashMap<>(avoided);
         next.put(drone, until);
-        return new VirtualRun(
-                ticket,
-                mission,
-                onCloudLoss,
-                flown,
-                VirtualRunStage.QUEUED,
-                null,
-                next,
-                failures + 1,
-                words,
-                detail,
-                now);
+        return new VirtualRun(order, flown, VirtualRunStage.QUEUED, null, next, failures + 1, words, detail, now);
     }
 
     /** By the user's word, who has looked at why it stopped. */
     VirtualRun resumed(Instant now) {
-        return new VirtualRun(
-                ticket,
-                mission,
-                onCloudLoss,
-                flown,
-                VirtualRunStage.QUEUED,
-                null,
-                Map.of(),
-                0,
-                "It waits for a drone.",
-                null,
-                now);
+        return new VirtualRun(order, flown, VirtualRunStage.QUEUED, null, Map.of(), 0, WAITS, null, now);
     }
 
     /** The command is about to be given. */
@@ -146,18 +146,7 @@ public record VirtualRun(
     VirtualRun flown(int waypoints) {
         return waypoints <= flown
                 ? this
-                : new VirtualRun(
-                        ticket,
-                        mission,
-                        onCloudLoss,
-                        waypoints,
-                        stage,
-                        assignment,
-                        avoided,
-                        failures,
-                        note,
-                        detail,
-                        changedAt);
+                : new VirtualRun(order, waypoints, stage, assignment, avoided, failures, note, detail, changedAt);
     }
 
     /** Says something else of the same. */
@@ -171,6 +160,6 @@ public record VirtualRun(
             String words,
             @Nullable String why,
             Instant now) {
-        return new VirtualRun(ticket, mission, onCloudLoss, flown, next, served, avoided, failures, words, why, now);
+        return new VirtualRun(order, flown, next, served, avoided, failures, words, why, now);
     }
 }

@@ -166,7 +166,11 @@ final class VirtualFixtures {
     }
 
     static VirtualRun asked(int waypoints) {
-        return VirtualRun.asked(1, mission(waypoints), MissionCloudLossPolicy.CONTINUE, NOW);
+        return VirtualRun.asked(order(mission(waypoints)), NOW);
+    }
+
+    static VirtualRunOrder order(Mission mission) {
+        return new VirtualRunOrder(1, mission, MissionCloudLossPolicy.CONTINUE, 1);
     }
 
     static DroneChoice choiceOf(String drone) {

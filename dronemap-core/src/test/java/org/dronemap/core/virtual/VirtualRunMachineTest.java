@@ -7,7 +7,6 @@ import java.time.Instant;
 import java.util.List;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.CommandId;
-import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.LinkState;
@@ -309,11 +308,9 @@ class VirtualRunMachineTest {
     @Test
     void aDroneThatHasJustWaitedAtAWaypointMovesOn() {
         run = VirtualRun.asked(
-                        1,
-                        new Mission(List.of(
+                        VirtualFixtures.order(new Mission(List.of(
                                 new MissionItem.Waypoint(VirtualFixtures.FIRST, Altitude.aboveHome(20), 60),
-                                new MissionItem.Waypoint(VirtualFixtures.FIRST, Altitude.aboveHome(30), 0))),
-                        MissionCloudLossPolicy.CONTINUE,
+                                new MissionItem.Waypoint(VirtualFixtures.FIRST, Altitude.aboveHome(30), 0)))),
                         VirtualFixtures.NOW)
                 .bound(VirtualFixtures.choiceOf("d1"), 20.0, VirtualFixtures.NOW);
         flyTo(2);

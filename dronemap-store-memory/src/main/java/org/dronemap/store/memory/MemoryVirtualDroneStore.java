@@ -6,6 +6,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualDroneId;
@@ -30,12 +31,13 @@ public final class MemoryVirtualDroneStore implements VirtualDroneStore {
 
     @Override
     public synchronized void save(VirtualDrone drone) {
-        DroneId bound = drone.boundTo();
-        boolean taken = drones.values().stream()
-                .anyMatch(other -> bound != null && !other.id().equals(drone.id()) && bound.equals(other.boundTo()));
-        if (taken) {
-            throw new StoreException("The drone " + bound + " serves another virtual drone.");
-        }
+        Set<DroneId> others = drones.values().stream()
+                .filter(other -> !other.id().equals(drone.id()))
+                .flatMap(other -> other.bound().stream())
+                .collect(Collectors.toSet());
+        drone.bound().stream().filter(others::contains).findFirst().ifPresent(taken -> {
+            throw new StoreException("The drone " + taken + " serves another virtual drone.");
+        });
         drones.put(drone.id(), drone);
     }
 

@@ -11,6 +11,9 @@ import org.dronemap.store.postgres.json.VirtualDroneJson;
 
 /** Stores virtual drones, and which drones of the warehouse may serve them, in PostgreSQL. Thread-safe. */
 public final class PostgresVirtualDroneStore implements VirtualDroneStore {
+    /** In no id. */
+    private static final String BETWEEN = ",";
+
     private final SqlTransactions sql;
 
     PostgresVirtualDroneStore(SqlTransactions sql) {
@@ -26,14 +29,24 @@ public final class PostgresVirtualDroneStore implements VirtualDroneStore {
 
     @Override
     public void save(VirtualDrone drone) {
-        DroneId bound = drone.boundTo();
+        String bound = drone.bound().stream().map(DroneId::value).collect(Collectors.joining(BETWEEN));
         sql.update(
                 """
-                INSERT INTO virtual_drone (id, created_at, bound_drone, body) VALUES (?, ?, ?, ?::json)
-                ON CONFLICT (id) DO UPDATE SET bound_drone = excluded.bound_drone, body = excluded.body""",
+                WITH bound AS (SELECT unnest(string_to_array(?, ?)) AS drone),
+                    freed AS (
+                        DELETE FROM virtual_drone_binding
+                        WHERE virtual_drone = ? AND drone NOT IN (SELECT drone FROM bound)),
+                    taken AS (
+                        INSERT INTO virtual_drone_binding (drone, virtual_drone) SELECT drone, ? FROM bound
+                        ON CONFLICT (drone, virtual_drone) DO NOTHING)
+                INSERT INTO virtual_drone (id, created_at, body) VALUES (?, ?, ?::json)
+                ON CONFLICT (id) DO UPDATE SET body = excluded.body""",
+                bound,
+                BETWEEN,
+                drone.id().value(),
+                drone.id().value(),
                 drone.id().value(),
                 drone.createdAt(),
-                bound == null ? null : bound.value(),
                 VirtualDroneJson.write(drone));
     }
 

@@ -27,8 +27,10 @@ import org.dronemap.core.virtual.SelectionCriterion;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualDroneId;
 import org.dronemap.core.virtual.VirtualDroneStore;
+import org.dronemap.core.virtual.VirtualPlan;
 import org.dronemap.core.virtual.VirtualRun;
 import org.dronemap.core.virtual.VirtualRunAssignment;
+import org.dronemap.core.virtual.VirtualRunOrder;
 import org.dronemap.core.virtual.VirtualRunStage;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeEach;
@@ -97,8 +99,8 @@ public abstract class VirtualDroneStoreContract {
     void replacesAndForgets() {
         VirtualDrone bound = drone("v1", DroneRequirements.NONE, run(VirtualRunStage.UPLOADING, assignment(COPTER)));
         store.save(bound);
-        VirtualDrone done =
-                bound.with(run(VirtualRunStage.DONE, null)).with("Renamed “x”", DroneRequirements.NONE, MISSION);
+        VirtualDrone done = bound.with(0, run(VirtualRunStage.DONE, null))
+                .with("Renamed “x”", new VirtualPlan(DroneRequirements.NONE, MISSION, 8));
         store.save(done);
 
         assertThat(store.virtualDrones()).containsExactly(done);
@@ -115,9 +117,28 @@ public abstract class VirtualDroneStoreContract {
         assertThatThrownBy(() -> store.save(second)).isInstanceOf(RuntimeException.class);
         assertThat(store.virtualDrones()).containsExactly(first);
 
-        store.save(first.with(run(VirtualRunStage.DONE, null)));
+        store.save(first.with(0, run(VirtualRunStage.DONE, null)));
         store.save(second);
         assertThat(store.virtualDrones()).hasSize(2);
+    }
+
+    @Test
+    void eachShareOfAMissionBindsADroneOfItsOwn() {
+        VirtualRun waits = run(VirtualRunStage.QUEUED, null);
+        VirtualDrone shared = drone("v1", DroneRequirements.NONE, waits)
+                .with(List.of(run(VirtualRunStage.FLYING, assignment(COPTER)), waits));
+        store.save(shared);
+        VirtualDrone both = shared.with(1, run(VirtualRunStage.ARMING, assignment(OTHER)));
+        store.save(both);
+        assertThat(store.virtualDrones()).containsExactly(both);
+        VirtualDrone second = drone("v2", DroneRequirements.NONE, run(VirtualRunStage.UPLOADING, assignment(OTHER)));
+        assertThatThrownBy(() -> store.save(second)).isInstanceOf(RuntimeException.class);
+
+        store.save(both.with(1, waits));
+        store.save(second);
+        assertThat(store.virtualDrones()).hasSize(2);
+        assertThat(store.delete(second.id())).isTrue();
+        store.save(both);
     }
 
     @Test
@@ -138,18 +159,15 @@ public abstract class VirtualDroneStoreContract {
                 "ann",
                 "#1",
                 OrganisationId.HOME,
-                needs,
-                run == null ? null : MISSION,
-                run,
+                new VirtualPlan(needs, run == null ? null : MISSION, 1),
+                run == null ? List.of() : List.of(run),
                 List.of(),
                 THEN);
     }
 
     private static VirtualRun run(VirtualRunStage stage, @Nullable VirtualRunAssignment assignment) {
         return new VirtualRun(
-                7,
-                MISSION,
-                MissionCloudLossPolicy.RETURN_TO_LAUNCH,
+                new VirtualRunOrder(7, MISSION, MissionCloudLossPolicy.RETURN_TO_LAUNCH, 3),
                 1,
                 stage,
                 assignment,

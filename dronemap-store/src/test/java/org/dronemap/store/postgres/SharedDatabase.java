@@ -35,7 +35,7 @@ final class SharedDatabase {
                         'access_key', 'link_security', 'recording', 'link', 'link_key', 'control_lease', 'owners_values',
                         'organisation',
                         'drone_owner', 'drone_gift', 'user_group', 'user_group_member', 'fleet', 'access_grant', 'only_granted',
-                        'invitation', 'virtual_drone', 'warehouse_drone', 'audit', 'telemetry', 'drone_event', 'flight',
+                        'invitation', 'virtual_drone', 'virtual_drone_binding', 'warehouse_drone', 'audit', 'telemetry', 'drone_event', 'flight',
                         'operation', 'operation_journal', 'outlet_key', 'outlet_number', 'robot_key',
                         'reused_name', 'event_gap'] LOOP
                     EXECUTE 'SELECT EXISTS (SELECT FROM ' || name || ')' INTO filled;

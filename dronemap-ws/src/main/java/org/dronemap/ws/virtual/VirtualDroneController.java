@@ -101,7 +101,8 @@ class VirtualDroneController {
     @Operation(
             operationId = "startVirtualDrone",
             summary = "Have its mission flown (operator)",
-            description = "By the best drone that is free; else it waits, and its place in the queue is told.")
+            description = "By the best drone that is free, or by several where they may share it; else it waits, and"
+                    + " its place in the queue is told.")
     public VirtualDroneView start(
             @PathVariable String id,
             @RequestBody(required = false) VirtualDroneRequest.@Nullable StartRequest request) {
@@ -114,7 +115,7 @@ class VirtualDroneController {
     @Operation(
             operationId = "stopVirtualDrone",
             summary = "Stop its mission (operator; supervisors any)",
-            description = "The drone that serves it comes home.")
+            description = "All drones that serve it come home.")
     public VirtualDroneView stop(@PathVariable String id) {
         return virtuals.stop(current.principal(), id);
     }
@@ -125,7 +126,9 @@ class VirtualDroneController {
     @Operation(
             operationId = "resumeVirtualDrone",
             summary = "Go on with what is not flown yet (operator)",
-            description = "After somebody who goes first took the drone, or drone after drone could not go on.")
+            description =
+                    "After somebody who goes first took the drone, or drone after drone could not go on. Of several"
+                            + " shares all go on that wait for it.")
     public VirtualDroneView resume(@PathVariable String id) {
         return virtuals.resume(current.principal(), id);
     }

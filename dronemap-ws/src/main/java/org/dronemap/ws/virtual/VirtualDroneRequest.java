@@ -8,6 +8,7 @@ import java.util.List;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.VehicleKind;
 import org.dronemap.core.virtual.DroneRequirements;
+import org.dronemap.core.virtual.VirtualPlan;
 import org.dronemap.ws.mission.MissionItemRequest;
 import org.dronemap.ws.reading.EnumValues;
 import org.dronemap.ws.reading.FieldRanges;
@@ -24,7 +25,16 @@ public record VirtualDroneRequest(
 
         @Schema(description = "Its mission: perhaps a take-off, waypoints, perhaps return or land; left out: none yet")
         @Nullable
-        List<MissionItemRequest> items) {
+        List<MissionItemRequest> items,
+
+        @Schema(
+                description = "Up to so many drones share its mission, each flying a part of it, where that is sooner"
+                        + " done; left out: one flies it",
+                example = "3")
+        @Min(1)
+        @Max(VirtualPlan.MOST_DRONES)
+        @Nullable
+        Integer upTo) {
 
     /** Requirements on a drone that may serve a virtual drone. */
     @Schema(name = "VirtualDroneNeedsView", description = "What a drone must be to serve.")

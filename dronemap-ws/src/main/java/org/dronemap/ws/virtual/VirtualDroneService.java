@@ -15,6 +15,7 @@ import org.dronemap.core.time.Time;
 import org.dronemap.core.virtual.DroneRequirements;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualDroneId;
+import org.dronemap.core.virtual.VirtualPlan;
 import org.dronemap.core.virtual.VirtualTour;
 import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.mission.MissionItemRequest;
@@ -27,6 +28,7 @@ import org.dronemap.ws.problem.ProblemParameter;
 import org.dronemap.ws.problem.Rejection;
 import org.dronemap.ws.problem.ServerProblem;
 import org.dronemap.ws.problem.ValueProblem;
+import org.dronemap.ws.reading.FieldRanges;
 import org.dronemap.ws.reading.NameRules;
 import org.dronemap.ws.virtual.VirtualDroneViewMapper.VirtualAction;
 import org.jspecify.annotations.Nullable;
@@ -93,9 +95,8 @@ public final class VirtualDroneService {
                 principal.name(),
                 principal.account(),
                 principal.organisation(),
-                DroneRequirementsReader.read(request.needs()),
-                mission(request.items()),
-                null,
+                plan(request),
+                List.of(),
                 List.of(),
                 clock.instant().truncatedTo(ChronoUnit.MICROS));
         conducted(drone.id(), () -> {
@@ -109,10 +110,8 @@ public final class VirtualDroneService {
     public VirtualDroneView replace(Principal principal, String id, VirtualDroneRequest request) {
         VirtualDroneId known = allowed(principal, id, VirtualAction.PLAN);
         String name = name(request);
-        DroneRequirements needs = DroneRequirementsReader.read(request.needs());
-        Mission mission = mission(request.items());
-        return views.view(
-                conducted(known, () -> virtuals.edit(known, now -> now.with(name, needs, mission))), principal);
+        VirtualPlan plan = plan(request);
+        return views.view(conducted(known, () -> virtuals.edit(known, now -> now.with(name, plan))), principal);
     }
 
     public VirtualDroneView start(Principal principal, String id, VirtualDroneRequest.@Nullable StartRequest request) {
@@ -187,6 +186,15 @@ public final class VirtualDroneService {
 
     private static String name(VirtualDroneRequest request) {
         return NameRules.checked("name", request.name(), LONGEST_NAME);
+    }
+
+    private static VirtualPlan plan(VirtualDroneRequest request) {
+        DroneRequirements needs = DroneRequirementsReader.read(request.needs());
+        Integer upTo = request.upTo();
+        return new VirtualPlan(
+                needs,
+                mission(request.items()),
+                upTo == null ? 1 : FieldRanges.checked("upTo", upTo, 1, VirtualPlan.MOST_DRONES, " drones"));
     }
 
     private static @Nullable Mission mission(@Nullable List<MissionItemRequest> items) {

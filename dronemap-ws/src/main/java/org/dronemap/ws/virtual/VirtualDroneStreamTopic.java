@@ -46,7 +46,7 @@ final class VirtualDroneStreamTopic {
                 feed -> {
                     virtuals.addListener(new VirtualDroneUpdates(virtuals, feed));
                     news.onMoves(drones -> virtuals.all().stream()
-                            .filter(drone -> drone.boundTo() != null && drones.contains(drone.boundTo()))
+                            .filter(drone -> drone.bound().stream().anyMatch(drones::contains))
                             .forEach(drone -> feed.changed(drone.id().value(), () -> virtuals.find(drone.id()))));
                 });
     }

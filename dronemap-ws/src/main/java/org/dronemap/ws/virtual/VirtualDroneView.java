@@ -25,10 +25,15 @@ public record VirtualDroneView(
         @Schema(description = "The mission as planned; null: none yet") @Nullable
         List<MissionItemView> items,
 
+        @Schema(description = "Up to so many drones share its mission, each flying a part of it; null: one flies it")
+        @Nullable
+        Integer upTo,
+
         @Schema(description = "Its mission as it was last asked for; null: never") @Nullable
         RunView run,
 
-        @Schema(description = "The drone that serves it, without its name; null: none does") @Nullable
+        @Schema(description = "The drone that serves it (of several the first), without its name; null: none does")
+        @Nullable
         LiveView live,
 
         @Schema(description = "For each action whether the asker can have it now, and if not, why")
@@ -50,6 +55,48 @@ public record VirtualDroneView(
             @Schema(description = "Waypoints in all") int total,
             @Schema(allowableValues = {"continue", "rtl"}) String onCloudLoss,
 
+            @Schema(description = "Drones that serve it now; null: none") @Nullable
+            Integer drones,
+
+            @Schema(description = "Why this drone was chosen; null: none is bound, or there are several shares")
+            @Nullable
+            String why,
+
+            @Schema(
+                    description = "The drone that serves it; null: none, the asker may not see it, or there are several"
+                            + " shares")
+            @Nullable
+            DroneName drone,
+
+            @Schema(
+                    description = "What drone or gate said; null: nothing, the asker may not see it, or there are"
+                            + " several shares")
+            @Nullable
+            String detail,
+
+            @Schema(
+                    description =
+                            "The parts of the mission in their order, each flown by one drone; one, unless several"
+                                    + " drones share it")
+            List<ShareView> shares,
+
+            @Schema(description = "Drones that cannot serve now, and why; only those that the asker may see")
+            List<UnfitView> unfit,
+
+            Instant changedAt) {}
+
+    /** A part of a mission that one drone flies at a time. */
+    @Schema(name = "VirtualDroneShareView", description = "A part of a mission that one drone flies at a time.")
+    public record ShareView(
+            @EnumValues(VirtualRunStage.class) String state,
+
+            @Schema(description = "How it is, for people") String sentence,
+
+            @Schema(description = "Waypoints of it that are flown")
+            int flown,
+
+            @Schema(description = "Waypoints in it") int total,
+
             @Schema(description = "Why this drone was chosen; null: none is bound") @Nullable
             String why,
 
@@ -59,10 +106,8 @@ public record VirtualDroneView(
             @Schema(description = "What drone or gate said; null: nothing, or the asker may not see it") @Nullable
             String detail,
 
-            @Schema(description = "Drones that cannot serve now, and why; only those that the asker may see")
-            List<UnfitView> unfit,
-
-            Instant changedAt) {}
+            @Schema(description = "The drone that serves it, without its name; null: none does") @Nullable
+            LiveView live) {}
 
     /** Counted from 1. */
     @Schema(name = "VirtualDronePlaceView")

@@ -18,6 +18,7 @@ import org.dronemap.core.operation.Objection;
 import org.dronemap.core.virtual.DroneChoice;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualDroneObjection;
+import org.dronemap.core.virtual.VirtualProgress;
 import org.dronemap.core.virtual.VirtualRun;
 import org.dronemap.core.virtual.VirtualRunAssignment;
 import org.dronemap.core.virtual.VirtualRunStage;
@@ -45,7 +46,6 @@ public final class VirtualDroneViewMapper {
     }
 
     public VirtualDroneView view(VirtualDrone drone, Principal principal) {
-        VirtualRun run = drone.run();
         return new VirtualDroneView(
                 drone.id().value(),
                 drone.name(),
@@ -54,26 +54,31 @@ public final class VirtualDroneViewMapper {
                 drone.mission() == null
                         ? null
                         : MissionItemView.of(drone.mission().items()),
-                run == null ? null : run(drone, run, principal),
-                live(drone),
+                drone.plan().upTo() == 1 ? null : (Integer) drone.plan().upTo(),
+                drone.runs().isEmpty() ? null : run(drone, principal),
+                drone.bound().stream().findFirst().flatMap(this::live).orElse(null),
                 actions(drone, principal));
     }
 
-    private VirtualDroneView.RunView run(VirtualDrone drone, VirtualRun run, Principal principal) {
-        DroneId bound = drone.boundTo();
-        VirtualRunAssignment assignment = run.assignment();
+    private VirtualDroneView.RunView run(VirtualDrone drone, Principal principal) {
+        List<VirtualDroneView.ShareView> shares =
+                drone.runs().stream().map(run -> share(drone, run, principal)).toList();
+        VirtualProgress progress = VirtualProgress.of(drone.runs());
+        VirtualDroneView.@Nullable ShareView only = shares.size() == 1 ? shares.get(0) : null;
         return new VirtualDroneView.RunView(
-                WireNames.camel(run.stage()),
-                note(run),
+                WireNames.camel(progress.stage()),
+                note(progress),
                 virtuals.place(drone.id())
                         .map(place -> new VirtualDroneView.PlaceView(place.position(), place.length()))
                         .orElse(null),
-                run.flown(),
-                run.total(),
-                run.onCloudLoss() == MissionCloudLossPolicy.CONTINUE ? "continue" : "rtl",
-                assignment == null ? null : why(assignment.choice(), principal),
-                bound == null || !principal.sees(bound) ? null : name(bound),
-                maySeeDetail(drone, run, principal) ? run.detail() : null,
+                progress.flown(),
+                progress.total(),
+                drone.runs().get(0).onCloudLoss() == MissionCloudLossPolicy.CONTINUE ? "continue" : "rtl",
+                progress.drones() == 0 ? null : (Integer) progress.drones(),
+                only == null ? null : only.why(),
+                only == null ? null : only.drone(),
+                only == null ? null : only.detail(),
+                shares,
                 virtuals.waitingFor(drone.id()).stream()
                         .filter(unfit -> principal.sees(unfit.drone()))
                         .map(unfit -> new VirtualDroneView.UnfitView(
@@ -81,13 +86,28 @@ public final class VirtualDroneViewMapper {
                                 unfit.why().sentence(),
                                 unfit.why().code()))
                         .toList(),
-                run.changedAt().truncatedTo(ChronoUnit.MILLIS));
+                progress.changedAt().truncatedTo(ChronoUnit.MILLIS));
     }
 
-    private String note(VirtualRun run) {
-        return run.stage() == VirtualRunStage.QUEUED && virtuals.warehouse().isEmpty()
-                ? run.note() + " There is none in the warehouse; a supervisor puts drones in."
-                : run.note();
+    private VirtualDroneView.ShareView share(VirtualDrone drone, VirtualRun run, Principal principal) {
+        DroneId bound = run.boundTo();
+        VirtualRunAssignment assignment = run.assignment();
+        return new VirtualDroneView.ShareView(
+                WireNames.camel(run.stage()),
+                run.note(),
+                run.flown(),
+                run.total(),
+                assignment == null ? null : why(assignment.choice(), principal),
+                bound == null || !principal.sees(bound) ? null : name(bound),
+                maySeeDetail(drone, run, principal) ? run.detail() : null,
+                bound == null ? null : live(bound).orElse(null));
+    }
+
+    private String note(VirtualProgress progress) {
+        return progress.stage() == VirtualRunStage.QUEUED
+                        && virtuals.warehouse().isEmpty()
+                ? progress.sentence() + " There is none in the warehouse; a supervisor puts drones in."
+                : progress.sentence();
     }
 
     private String why(DroneChoice choice, Principal principal) {
@@ -100,7 +120,7 @@ public final class VirtualDroneViewMapper {
     private static boolean maySeeDetail(VirtualDrone drone, VirtualRun run, Principal principal) {
         boolean seesAllTried = Stream.concat(run.avoided().keySet().stream(), drone.recalled().stream())
                 .allMatch(principal::sees);
-        DroneId bound = drone.boundTo();
+        DroneId bound = run.boundTo();
         return seesAllTried && (bound == null ? principal.isWhole() : principal.sees(bound));
     }
 
@@ -110,21 +130,18 @@ public final class VirtualDroneViewMapper {
     }
 
     /** Where it is and how it flies is the user's own mission; who it is, is not among it. */
-    private VirtualDroneView.@Nullable LiveView live(VirtualDrone drone) {
-        DroneId bound = drone.boundTo();
-        Optional<DroneState> found = bound == null ? Optional.empty() : cloud.drone(bound);
-        return found.map(state -> {
-                    Battery battery = state.battery();
-                    return new VirtualDroneView.LiveView(
-                            WireNames.camel(state.link().state()),
-                            WireNames.camel(state.identification().kind()),
-                            state.armed(),
-                            state.phase() == null ? null : WireNames.camel(state.phase()),
-                            DroneViewMapper.position(state.position()),
-                            DroneViewMapper.motion(state),
-                            battery == null ? null : battery.percent());
-                })
-                .orElse(null);
+    private Optional<VirtualDroneView.LiveView> live(DroneId bound) {
+        return cloud.drone(bound).map(state -> {
+            Battery battery = state.battery();
+            return new VirtualDroneView.LiveView(
+                    WireNames.camel(state.link().state()),
+                    WireNames.camel(state.identification().kind()),
+                    state.armed(),
+                    state.phase() == null ? null : WireNames.camel(state.phase()),
+                    DroneViewMapper.position(state.position()),
+                    DroneViewMapper.motion(state),
+                    battery == null ? null : battery.percent());
+        });
     }
 
     /** The same sentences serve the service and every page that greys a button. */
@@ -181,7 +198,6 @@ public final class VirtualDroneViewMapper {
         }
 
         private Optional<Objection> stateForbids(VirtualDrone drone) {
-            VirtualRun run = drone.run();
             return switch (this) {
                 case PLAN -> Optional.empty();
                 case START ->
@@ -195,9 +211,9 @@ public final class VirtualDroneViewMapper {
                             ? Optional.empty()
                             : why(VirtualDroneObjection.NOT_UNDER_WAY, "Its mission is not under way.");
                 case RESUME ->
-                    run != null
-                                    && List.of(VirtualRunStage.SUSPENDED, VirtualRunStage.FAILED)
-                                            .contains(run.stage())
+                    drone.runs().stream()
+                                    .anyMatch(run -> run.stage() == VirtualRunStage.SUSPENDED
+                                            || run.stage() == VirtualRunStage.FAILED)
                             ? Optional.empty()
                             : why(VirtualDroneObjection.NOT_SUSPENDED, "It does not wait for being resumed.");
                 case REMOVE ->

@@ -11,7 +11,6 @@ import org.dronemap.core.conduct.VirtualDrones;
 import org.dronemap.core.drone.DroneState;
 import org.dronemap.core.virtual.UnfitReason;
 import org.dronemap.core.virtual.VirtualDrone;
-import org.dronemap.core.virtual.VirtualRun;
 import org.dronemap.ws.access.RoleChecks;
 import org.dronemap.ws.drone.DroneService;
 import org.dronemap.ws.problem.AccessProblem;
@@ -78,11 +77,10 @@ public final class WarehouseService {
     private static ProspectView view(Principal principal, VirtualDroneMatch prospect) {
         VirtualDrone waiting = prospect.waiting();
         boolean shown = VirtualDroneService.isShownTo(principal, waiting);
-        VirtualRun run = waiting.run();
         return new ProspectView(
                 shown ? waiting.name() : null,
                 shown ? waiting.owner() : null,
-                run == null ? 0 : run.total() - run.flown(),
+                prospect.share().total() - prospect.share().flown(),
                 prospect.whyNot().isEmpty(),
                 prospect.whyNot().map(UnfitReason::sentence).orElse(null),
                 prospect.whyNot().map(UnfitReason::code).orElse(null));

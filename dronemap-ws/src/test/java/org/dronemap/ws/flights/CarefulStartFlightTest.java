@@ -72,7 +72,7 @@ class CarefulStartFlightTest {
                 .toList();
         String id = lab.server()
                 .virtuals()
-                .add(chief.principal(), new VirtualDroneRequest("Survey", null, MissionItemRequest.of(items)))
+                .add(chief.principal(), new VirtualDroneRequest("Survey", null, MissionItemRequest.of(items), null))
                 .id();
         lab.server().virtuals().start(chief.principal(), id, null);
         lab.server().warehouse().put(chief.principal(), drone.id().value());

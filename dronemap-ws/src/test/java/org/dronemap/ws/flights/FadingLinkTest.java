@@ -313,7 +313,8 @@ class FadingLinkTest {
                                     "Survey",
                                     null,
                                     MissionItemRequest.of(
-                                            List.of(new MissionItem.Waypoint(far, Altitude.aboveHome(30), 0)))))
+                                            List.of(new MissionItem.Waypoint(far, Altitude.aboveHome(30), 0))),
+                                    null))
                     .id();
             lab.server().virtuals().start(chief.principal(), virtual, null);
             lab.until("it flies", Duration.ofMinutes(2), () -> drones.stream().anyMatch(one -> one.mode() == AUTO));

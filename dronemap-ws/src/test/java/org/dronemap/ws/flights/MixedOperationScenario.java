@@ -125,7 +125,7 @@ final class MixedOperationScenario {
         lab.server().warehouse().put(chief.principal(), stock.id().value());
         String id = lab.server()
                 .virtuals()
-                .add(chief.principal(), new VirtualDroneRequest("Survey", null, MissionItemRequest.of(items)))
+                .add(chief.principal(), new VirtualDroneRequest("Survey", null, MissionItemRequest.of(items), null))
                 .id();
         return lab.server().virtuals().start(chief.principal(), id, null).id();
     }

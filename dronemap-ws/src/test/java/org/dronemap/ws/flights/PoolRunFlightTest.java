@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.time.Duration;
 import java.util.List;
+import java.util.Objects;
 import java.util.stream.IntStream;
 import org.dronemap.core.access.Role;
+import org.dronemap.core.geo.Geodetic;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.MissionRunFlight;
@@ -20,6 +22,8 @@ import org.junit.jupiter.api.Test;
 
 /** A mission for up to n drones of the pool, which the cloud chooses, and replaces when they are lost. */
 class PoolRunFlightTest {
+    private static final double SERVED_METERS = 2;
+
     private final Laboratory lab = new Laboratory(1);
     private final Pilot chief = lab.pilot("chief", Role.SUPERVISOR);
     private final List<LabDrone> copters = lab.copters(3);
@@ -47,6 +51,11 @@ class PoolRunFlightTest {
         return IntStream.range(0, 4)
                 .mapToObj(n -> MissionRunFlight.waypoint(first.place(30 + 30 * n, -20), first.groundAmsl() + 20))
                 .toList();
+    }
+
+    private static double nearest(LabDrone drone, PlanRequest.WaypointRequest to) {
+        Geodetic place = new Geodetic(Objects.requireNonNull(to.latitude()), Objects.requireNonNull(to.longitude()));
+        return drone.track().nearest(place, Objects.requireNonNull(to.altitude()));
     }
 
     private static void requireAllVisited(RunView over) {
@@ -82,6 +91,11 @@ class PoolRunFlightTest {
         assertThat(over.drones()).hasSize(2);
         assertThat(over.waypoints())
                 .allSatisfy(one -> assertThat(run.missed(one)).isLessThan(5));
+        LabDrone other = copters.get(1);
+        assertThat(waypoints())
+                .allSatisfy(place -> assertThat(nearest(other, place)).isLessThan(SERVED_METERS));
+        assertThat(waypoints())
+                .allSatisfy(place -> assertThat(nearest(copters.get(0), place)).isGreaterThan(SERVED_METERS));
         assertThat(run.decidesTheSameAgain()).isTrue();
     }
 

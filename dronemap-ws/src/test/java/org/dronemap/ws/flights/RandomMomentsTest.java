@@ -184,7 +184,7 @@ class RandomMomentsTest {
                     new MissionItem.Waypoint(drone.place(30, 0), Altitude.aboveHome(HEIGHT), 0),
                     new MissionItem.Waypoint(drone.place(60, 0), Altitude.aboveHome(HEIGHT), 0));
             VirtualDroneRequest asked =
-                    new VirtualDroneRequest("V " + drone.name(), null, MissionItemRequest.of(items));
+                    new VirtualDroneRequest("V " + drone.name(), null, MissionItemRequest.of(items), null);
             String made = lab.server().virtuals().add(pilot.principal(), asked).id();
             lab.server().virtuals().start(pilot.principal(), made, null);
             lab.server().warehouse().put(chief.principal(), drone.id().value());

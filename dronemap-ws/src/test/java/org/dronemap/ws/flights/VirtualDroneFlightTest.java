@@ -58,7 +58,9 @@ class VirtualDroneFlightTest {
                 .forEach(place -> items.add(new MissionItem.Waypoint(place, Altitude.aboveHome(height(number)), 0)));
         return lab.server()
                 .virtuals()
-                .add(chief.principal(), new VirtualDroneRequest("Survey " + number, null, MissionItemRequest.of(items)))
+                .add(
+                        chief.principal(),
+                        new VirtualDroneRequest("Survey " + number, null, MissionItemRequest.of(items), null))
                 .id();
     }
 
@@ -167,7 +169,9 @@ class VirtualDroneFlightTest {
         MissionItem there = new MissionItem.Waypoint(drones.get(0).place(0, 20), Altitude.aboveHome(20), seconds);
         return lab.server()
                 .virtuals()
-                .add(chief.principal(), new VirtualDroneRequest("Watch", null, MissionItemRequest.of(List.of(there))))
+                .add(
+                        chief.principal(),
+                        new VirtualDroneRequest("Watch", null, MissionItemRequest.of(List.of(there)), null))
                 .id();
     }
 

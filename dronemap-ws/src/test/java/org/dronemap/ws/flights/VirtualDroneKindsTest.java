@@ -37,7 +37,9 @@ class VirtualDroneKindsTest {
         MissionItem there = new MissionItem.Waypoint(drone.place(north, 0), Altitude.aboveHome(meters), 0);
         String id = lab.server()
                 .virtuals()
-                .add(chief.principal(), new VirtualDroneRequest("Watch", null, MissionItemRequest.of(List.of(there))))
+                .add(
+                        chief.principal(),
+                        new VirtualDroneRequest("Watch", null, MissionItemRequest.of(List.of(there)), null))
                 .id();
         lab.server().warehouse().put(chief.principal(), drone.id().value());
         lab.server().virtuals().start(chief.principal(), id, null);

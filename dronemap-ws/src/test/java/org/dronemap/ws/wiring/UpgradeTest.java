@@ -279,7 +279,7 @@ class UpgradeTest {
     private static VirtualRun run(List<VirtualDrone> all, String id) {
         return all.stream()
                 .filter(one -> one.id().equals(new VirtualDroneId(id)))
-                .flatMap(one -> Optional.ofNullable(one.run()).stream())
+                .flatMap(one -> one.runs().stream())
                 .findFirst()
                 .orElseThrow();
     }

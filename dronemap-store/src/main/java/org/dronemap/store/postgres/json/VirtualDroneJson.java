@@ -22,8 +22,10 @@ import org.dronemap.core.virtual.RequiredArea;
 import org.dronemap.core.virtual.SelectionCriterion;
 import org.dronemap.core.virtual.VirtualDrone;
 import org.dronemap.core.virtual.VirtualDroneId;
+import org.dronemap.core.virtual.VirtualPlan;
 import org.dronemap.core.virtual.VirtualRun;
 import org.dronemap.core.virtual.VirtualRunAssignment;
+import org.dronemap.core.virtual.VirtualRunOrder;
 import org.dronemap.core.virtual.VirtualRunStage;
 import org.dronemap.store.StoreException;
 import org.jspecify.annotations.Nullable;
@@ -48,10 +50,9 @@ public final class VirtualDroneJson {
         to.put("organisation", drone.organisation().value());
         needs(drone.needs(), to.putObject("needs"));
         mission(drone.mission(), to);
-        VirtualRun run = drone.run();
-        if (run != null) {
-            run(run, to.putObject("run"));
-        }
+        to.put("upTo", drone.plan().upTo());
+        ArrayNode runs = to.putArray("runs");
+        drone.runs().forEach(run -> run(run, runs.addObject()));
         ArrayNode recalled = to.putArray("recalled");
         drone.recalled().forEach(id -> recalled.add(id.value()));
         to.put("createdAt", drone.createdAt().toString());
@@ -68,9 +69,9 @@ public final class VirtualDroneJson {
                     // Of before there were ids, when names were what accounts were known by.
                     text(from, from.has("account") ? "account" : "owner"),
                     new OrganisationId(text(from, "organisation")),
-                    needs(from.required("needs")),
-                    from.has("mission") ? mission(from) : null,
-                    from.has("run") ? run(from.required("run")) : null,
+                    new VirtualPlan(
+                            needs(from.required("needs")), from.has("mission") ? mission(from) : null, upTo(from)),
+                    runs(from),
                     drones(from.required("recalled")),
                     moment(from, "createdAt"));
         } catch (JacksonException | IllegalArgumentException e) {
@@ -124,10 +125,26 @@ public final class VirtualDroneJson {
         return new Mission(MissionItemJson.read(from.required("mission").toString()));
     }
 
+    /** Of before several drones shared a mission, one flew it. */
+    private static int upTo(JsonNode from) {
+        return from.has("upTo") ? from.required("upTo").intValue() : 1;
+    }
+
+    /** Of before several drones shared a mission, there was one run at most. */
+    private static List<VirtualRun> runs(JsonNode from) {
+        List<VirtualRun> runs = new ArrayList<>();
+        if (from.has("run")) {
+            runs.add(run(from.required("run")));
+        }
+        from.path("runs").forEach(run -> runs.add(run(run)));
+        return runs;
+    }
+
     private static void run(VirtualRun run, ObjectNode to) {
         to.put("ticket", run.ticket());
         mission(run.mission(), to);
         to.put("onCloudLoss", StoredNames.of(run.onCloudLoss()));
+        to.put("upTo", run.order().upTo());
         to.put("flown", run.flown());
         to.put("stage", StoredNames.of(run.stage()));
         VirtualRunAssignment assignment = run.assignment();
@@ -150,9 +167,11 @@ public final class VirtualDroneJson {
                         new DroneId(entry.getKey()),
                         Instant.parse(entry.getValue().stringValue())));
         return new VirtualRun(
-                from.required("ticket").longValue(),
-                mission(from),
-                StoredNames.constant(MissionCloudLossPolicy.class, text(from, "onCloudLoss")),
+                new VirtualRunOrder(
+                        from.required("ticket").longValue(),
+                        mission(from),
+                        StoredNames.constant(MissionCloudLossPolicy.class, text(from, "onCloudLoss")),
+                        upTo(from)),
                 from.required("flown").intValue(),
                 StoredNames.constant(VirtualRunStage.class, text(from, "stage")),
                 from.has("assignment") ? assignment(from.required("assignment")) : null,

@@ -30,7 +30,7 @@ record VirtualParty(String name, Spot pad, List<Spot> waypoints) implements Part
                 .toList();
         String virtual = lab.server()
                 .virtuals()
-                .add(owner.principal(), new VirtualDroneRequest(name, null, MissionItemRequest.of(items)))
+                .add(owner.principal(), new VirtualDroneRequest(name, null, MissionItemRequest.of(items), null))
                 .id();
         return new Flight() {
             private boolean begun;
