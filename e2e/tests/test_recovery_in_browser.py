@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import pytest
-from playwright.sync_api import Browser, Page, ViewportSize, expect
+from playwright.sync_api import Browser, ViewportSize, expect
 
 from dronemap_e2e.api import Api, Json
 from dronemap_e2e.flight import Point
@@ -30,12 +30,13 @@ class Field:
     drones: list[Json]
 
     def take_off(self) -> list[Point]:
-        """Each flies to a place away from its home; where that is."""
+        """Each flies to a place away from its home, past the other's; where that is."""
         places = []
         for number, drone in enumerate(self.drones):
             height = HEIGHT + 7 * number
-            there = beside(drone["home"], 30 - 60 * number, 45)
+            there = beside(drone["home"], 75 - 150 * number, 45)
             wait_for("it may be armed", lambda drone=drone: self.api.drone(drone["id"])["readyToArm"], 90)
+            self.api.do(drone["id"], type="setMode", mode="GUIDED")
             self.api.do(drone["id"], type="arm")
             self.api.do(drone["id"], type="takeOff", altitude=height)
             self.api.do(
@@ -49,7 +50,7 @@ class Field:
             places.append(there)
         for drone, there in zip(self.drones, places, strict=True):
             wait_for("it is there", lambda drone=drone, there=there: self.metres(drone, there) < NEAR_METRES, 60)
-            assert self.api.call("POST", f"/drones/{drone['id']}/control/release").ok
+            assert self.api.call("DELETE", f"/drones/{drone['id']}/control").ok
         return places
 
     def metres(self, drone: Json, place: Point) -> float:
@@ -91,7 +92,7 @@ def brings_down(station: Station, field: Field, label: str, kind: str) -> None:
     for drone in field.drones:
         expect(preview).to_contain_text(drone["name"])
     expect(preview.get_by_role("listitem")).to_have_count(2)
-    shows_ways(page, preview_is_open=True)
+    page.wait_for_timeout(1500)
     assert not field.api.get("/recoveries")["recoveries"] or word == "land"
     picture(page, f"recovery-{kind}-{word}-1-preview")
     preview.get_by_role("button", name=label).click()
@@ -107,10 +108,6 @@ def brings_down(station: Station, field: Field, label: str, kind: str) -> None:
     assert field.are_down()
     recovery.get_by_role("button", name="Close").click()
     expect(recovery).to_have_count(0)
-
-
-def shows_ways(page: Page, preview_is_open: bool) -> None:
-    page.wait_for_timeout(1500 if preview_is_open else 0)
 
 
 @pytest.mark.parametrize(("hand", "size"), [(Pointer(), DESK), (Touch(), PHONE)], ids=["desk", "phone"])

@@ -96,9 +96,10 @@ function landingLayers(palette: Palette): LayerSpecification[] {
         'text-field': ['get', 'label'],
         'text-font': MAP_FONT,
         'text-size': 12,
-        'text-anchor': 'top',
-        'text-offset': [0, 1.2],
-        'text-optional': true,
+        // Beside the name of a drone that stands there.
+        'text-variable-anchor': ['top', 'bottom', 'left', 'right'],
+        'text-radial-offset': 1.4,
+        'text-justify': 'auto',
       },
       paint: { 'text-color': palette.violet, 'text-halo-color': palette.halo, 'text-halo-width': 1.6 },
     },

@@ -52,7 +52,11 @@ describe('drones that come home together', () => {
     const [one] = aRecoveryPreview().drones;
     answers.previewRecovery = () => ({ ...aRecoveryPreview(), drones: [one, { ...one, drone: 'd2' }] });
     answers.beginRecovery = () => {
-      throw new Problem({ status: 409, code: 'recovery-changed', detail: 'More drones would come: Kestrel.' });
+      throw new Problem({
+        status: 409,
+        code: 'recovery-changed',
+        detail: 'More drones would come: Kestrel.',
+      });
     };
     await recoveries.confirm();
     expect(recoveries.problem).toContain('More drones would come: Kestrel.');
