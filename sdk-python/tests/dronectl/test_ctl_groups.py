@@ -260,9 +260,7 @@ def test_what_destroys_is_refused_where_nobody_can_be_asked(server: FakeServer, 
 
 def test_return_all_confirms_what_its_preview_showed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("dronectl.recovery.agreed", lambda yes, question: None)
-    server = FakeServer(
-        {"POST /recoveries/preview": samples.RECOVERY_PREVIEW, "POST /recoveries": samples.RECOVERY}
-    )
+    server = FakeServer({"POST /recoveries/preview": samples.RECOVERY_PREVIEW, "POST /recoveries": samples.RECOVERY})
     result = run(server, "return", "--all", "--no-wait")
     assert result.exit_code == 0, result.output
     assert "left out: Kestrel: It is not in the air." in result.output

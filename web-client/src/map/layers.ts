@@ -98,7 +98,7 @@ function landingLayers(palette: Palette): LayerSpecification[] {
         'text-size': 12,
         // Beside the name of a drone that stands there.
         'text-variable-anchor': ['top', 'bottom', 'left', 'right'],
-        'text-radial-offset': 1.4,
+        'text-radial-offset': 1.8,
         'text-justify': 'auto',
       },
       paint: { 'text-color': palette.violet, 'text-halo-color': palette.halo, 'text-halo-width': 1.6 },

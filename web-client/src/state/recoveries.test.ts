@@ -86,6 +86,7 @@ describe('drones that come home together', () => {
     );
     const [one] = aRecoveryPreview().drones;
     expect(one && plannedText(one, 'return')).toContain('at 26 m · down in');
+    expect(one && plannedText(one, 'land')).toContain('from 26 m · down in');
     expect(one && plannedText({ ...one, plan: null }, 'return')).toContain('not heard');
   });
 
