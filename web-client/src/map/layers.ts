@@ -100,6 +100,7 @@ function landingLayers(palette: Palette): LayerSpecification[] {
         'text-variable-anchor': ['top', 'bottom', 'left', 'right'],
         'text-radial-offset': 1.8,
         'text-justify': 'auto',
+        'text-max-width': 18,
       },
       paint: { 'text-color': palette.violet, 'text-halo-color': palette.halo, 'text-halo-width': 1.6 },
     },

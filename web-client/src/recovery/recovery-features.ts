@@ -44,7 +44,7 @@ export function showPreview(
 
 /** The card covers the lower part of the map, which on a phone is most of it. */
 function besideCard(mapHeight: number): Required<PaddingOptions> {
-  return { top: Math.min(96, mapHeight * 0.2), bottom: Math.min(264, mapHeight * 0.6), left: 60, right: 60 };
+  return { top: Math.min(96, mapHeight * 0.2), bottom: Math.min(264, mapHeight * 0.6), left: 72, right: 84 };
 }
 
 /** Where drones come down: those of a preview that waits to be confirmed, else the one that is chosen. */
