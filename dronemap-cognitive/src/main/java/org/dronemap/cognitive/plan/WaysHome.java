@@ -33,7 +33,7 @@ public final class WaysHome {
     private final Stack proof;
 
     /**
-     * Why not all drones of a plan have a way home. Heights are above the home of the drone that has none.
+     * A shortage of ways home: fewer than the drones of a plan. Heights are above the home of the drone that has none.
      *
      * @param drones that fly at once
      * @param fitting so many of them have a way home

@@ -132,7 +132,7 @@ public final class PlanService {
         List<Tour> tours = acceptable(principal, job, start.wanted());
         PlanResult planned = job.status().result();
         if (start.wanted() && planned != null) {
-            PlanWaysHome.require(job.order(), planned.plan());
+            job.order().requireWaysHome(planned.plan());
         }
         boolean begun = job.accept(tours.stream()
                 .map(tour -> new DroneLaunchStatus(tour.drone(), DroneLaunchStatus.Stage.UPLOADING, null, null))
@@ -161,7 +161,7 @@ public final class PlanService {
         if (planned == null || job.status().busy()) {
             throw Rejection.of(OperationProblem.PLAN_UNDER_WAY, "Its missions are on their way to the drones already.");
         }
-        PlanWaysHome.require(job.order(), planned.plan());
+        job.order().requireWaysHome(planned.plan());
         return new Flyable(job.order(), planned);
     }
 
@@ -194,7 +194,7 @@ public final class PlanService {
                     "Not all drones of the plan are free any more, and others of the pool cannot fly it. "
                             + String.join(" ", faults));
         }
-        PlanWaysHome.require(order, planned.plan());
+        order.requireWaysHome(planned.plan());
         return new Flyable(order, planned);
     }
 

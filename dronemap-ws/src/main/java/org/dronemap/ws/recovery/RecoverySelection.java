@@ -41,7 +41,7 @@ final class RecoverySelection {
     private final RecoveryOrder order;
     private final boolean takeOver;
 
-    /** Why a drone is left alone: for programs, and as a sentence. */
+    /** Reason for leaving a drone alone: a code for programs, and a sentence. */
     private record Reason(ProblemCode code, String sentence) {}
 
     /**
