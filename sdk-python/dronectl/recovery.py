@@ -86,6 +86,7 @@ async def recovers(
         preview = await session.server.rest.preview_recovery(request)
         session.output.note(_plan(preview))
         agreed(yes, f"{'Land' if manner == 'land' else 'Return'} {len(preview.drones)} drones?")
+        request = request.model_copy(update={"previewed": [drone.drone for drone in preview.drones]})
     view = await session.server.rest.begin_recovery(request)
     if not no_wait:
         view = await _watched(session, AsyncRecovery(view, session.server.rest, session.server.stream))

@@ -2102,11 +2102,15 @@ class RecoveryLeftOutView(Model):
     A drone that it leaves alone.
     """
 
+    code: str
+    """
+    Why; docs/problems.md lists them
+    """
     drone: str
     drone_name: str
     why: str
     """
-    as a sentence
+    The same as a sentence
     """
 
 
@@ -2210,6 +2214,10 @@ class RecoveryRequest(Model):
     manner: Literal["return", "land"]
     """
     return: each to its home, at a height of its own; land: each where it is
+    """
+    previewed: list[str] | None = None
+    """
+    Ids of the drones that a preview showed to come: refused with what has changed if others would come now; left out: it begins with whoever is in the air. A preview does not look at it
     """
     take_over: bool | None = None
     """

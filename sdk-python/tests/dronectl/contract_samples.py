@@ -196,7 +196,7 @@ RECOVERY_PREVIEW: Members = {
             "waitsFor": ["Heron-2"],
         }
     ],
-    "leftOut": [{"drone": "d2", "droneName": "Kestrel", "why": "It is not in the air."}],
+    "leftOut": [{"drone": "d2", "droneName": "Kestrel", "code": "not-airborne", "why": "It is not in the air."}],
 }
 RECEIPT: Members = {"at": NOW, "follow": "f1", "known": 0, "taken": 1, "upTo": 1}
 VIRTUAL: Members = {

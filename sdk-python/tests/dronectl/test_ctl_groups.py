@@ -263,3 +263,14 @@ def test_what_destroys_is_refused_where_nobody_can_be_asked(server: FakeServer, 
     assert "--yes" in result.stderr
     assert not [asked for asked in server.asked if asked.method in ("DELETE", "PATCH")]
     assert server.commands() == []
+
+
+def test_return_all_confirms_what_its_preview_showed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("dronectl.recovery.agreed", lambda yes, question: None)
+    server = FakeServer({"POST /recoveries/preview": samples.RECOVERY_PREVIEW, "POST /recoveries": samples.RECOVERY})
+    result = run(server, "return", "--all", "--no-wait")
+    assert result.exit_code == 0, result.output
+    assert "left out: Kestrel: It is not in the air." in result.output
+    assert [one.body for one in server.asked if one.path.endswith("/recoveries")] == [
+        {"manner": "return", "previewed": ["d1"]}
+    ]

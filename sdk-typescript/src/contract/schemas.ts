@@ -3646,9 +3646,11 @@ export interface components {
         };
         /** @description A drone that it leaves alone. */
         RecoveryLeftOutView: {
+            /** @description Why; docs/problems.md lists them */
+            code: string;
             drone: string;
             droneName: string;
-            /** @description as a sentence */
+            /** @description The same as a sentence */
             why: string;
         };
         RecoveryList: {
@@ -3716,6 +3718,8 @@ export interface components {
              * @enum {string}
              */
             manner: "return" | "land";
+            /** @description Ids of the drones that a preview showed to come: refused with what has changed if others would come now; left out: it begins with whoever is in the air. A preview does not look at it */
+            previewed?: string[] | null;
             /** @description true: also drones that operations of yours have, which end by that, and those that a pilot at the vehicle has; for a supervisor those that others have, too. Else they are left out and named */
             takeOver?: boolean | null;
         };

@@ -7,6 +7,7 @@ import {
   setWorkerUrl,
   type GeoJSONSource,
   type MapMouseEvent,
+  type PaddingOptions,
 } from 'maplibre-gl';
 import workerAddress from 'maplibre-gl/dist/maplibre-gl-worker.mjs?worker&url';
 import type { Coordinates } from '../geo/coordinates';
@@ -109,7 +110,7 @@ export class FlightMap {
   }
 
   /** Shows all these places; one place alone is not zoomed into further than a neighbourhood. */
-  fit(places: readonly Coordinates[], maxZoom = 15, padding = 80): void {
+  fit(places: readonly Coordinates[], maxZoom = 15, padding: number | Required<PaddingOptions> = 80): void {
     // A panel may just have taken its room.
     this.#map.resize();
     const longitudes = places.map((place) => place.longitude);

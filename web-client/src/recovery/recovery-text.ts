@@ -54,7 +54,9 @@ export function plannedText({ plan, waitsFor }: RecoveryPreview['drones'][number
   if (plan === null) {
     return 'not heard · its own fail-safe brings it home';
   }
-  const height = manner === 'land' ? 'lands where it is' : `at ${plan.height.toFixed(0)} m`;
+  const height = `${manner === 'land' ? 'from' : 'at'} ${plan.height.toFixed(0)} m`;
   const waits = waitsFor.length > 0 ? ` · after ${waitsFor.join(', ')}` : '';
-  return `${height} · down in ${span(plan.downSeconds)}${waits}`;
+  // A figure and its unit stay in one line.
+  const down = span(plan.downSeconds).replaceAll(' ', '\u00a0');
+  return `${height} · down in ${down}${waits}`;
 }

@@ -1,4 +1,4 @@
-import { sentenceFor } from '../api/problem';
+import { Problem, sentenceFor } from '../api/problem';
 import type { Recovery, RecoveryCalls, RecoveryOrder, RecoveryPreview } from '../api/recoveries';
 
 /** Drones that come home, or land, together, and what is shown before that is confirmed. */
@@ -63,14 +63,26 @@ export class Recoveries {
     });
   }
 
+  /** Only what is shown: where others would come by now, that is shown first. */
   async confirm(): Promise<void> {
+    const { preview } = this;
     const order = this.#order;
-    if (order !== null) {
-      await this.#attempt(async () => {
-        this.apply(await this.#calls.begin(order));
-        this.leave();
-      });
+    if (order === null || preview === null) {
+      return;
     }
+    const previewed = preview.drones.map((one) => one.drone);
+    await this.#attempt(async () => {
+      try {
+        this.apply(await this.#calls.begin({ ...order, previewed }));
+        this.leave();
+      } catch (thrown) {
+        if (thrown instanceof Problem && thrown.code === 'recovery-changed') {
+          this.preview = null;
+          this.preview = await this.#calls.preview(order);
+        }
+        throw thrown;
+      }
+    });
   }
 
   async cancel(id: string): Promise<void> {

@@ -31,7 +31,7 @@ describe('drones that come home together', () => {
     expect(recoveries.preview?.drones).toHaveLength(1);
     expect(asked).toEqual([['previewRecovery', { manner: 'return' }]]);
     await recoveries.confirm();
-    expect(asked.at(-1)).toEqual(['beginRecovery', { manner: 'return' }]);
+    expect(asked.at(-1)).toEqual(['beginRecovery', { manner: 'return', previewed: ['d1'] }]);
     expect(recoveries.preview).toBeNull();
     expect(recoveries.shown('ann')).toHaveLength(1);
     expect(recoveries.shown('bob')).toHaveLength(0);
@@ -45,6 +45,27 @@ describe('drones that come home together', () => {
     expect(recoveries.problem).toContain('5 of 9 drones fit');
     await recoveries.confirm();
     expect(asked).toHaveLength(1);
+  });
+
+  it('shows a new preview where others would come by now', async () => {
+    await recoveries.look('land');
+    const [one] = aRecoveryPreview().drones;
+    answers.previewRecovery = () => ({ ...aRecoveryPreview(), drones: [one, { ...one, drone: 'd2' }] });
+    answers.beginRecovery = () => {
+      throw new Problem({
+        status: 409,
+        code: 'recovery-changed',
+        detail: 'More drones would come: Kestrel.',
+      });
+    };
+    await recoveries.confirm();
+    expect(recoveries.problem).toContain('More drones would come: Kestrel.');
+    expect(recoveries.preview?.drones).toHaveLength(2);
+    expect(recoveries.shown('ann')).toHaveLength(0);
+    answers.beginRecovery = () => aRecovery();
+    await recoveries.confirm();
+    expect(asked.at(-1)).toEqual(['beginRecovery', { manner: 'land', previewed: ['d1', 'd2'] }]);
+    expect(recoveries.problem).toBeNull();
   });
 
   it('leaves one that is over until it is put aside', () => {
@@ -65,6 +86,7 @@ describe('drones that come home together', () => {
     );
     const [one] = aRecoveryPreview().drones;
     expect(one && plannedText(one, 'return')).toContain('at 26 m · down in');
+    expect(one && plannedText(one, 'land')).toContain('from 26 m · down in');
     expect(one && plannedText({ ...one, plan: null }, 'return')).toContain('not heard');
   });
 

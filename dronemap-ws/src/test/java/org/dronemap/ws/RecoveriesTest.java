@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.command.SetReturnHeight;
+import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.ws.testserver.ConditionWait;
 import org.dronemap.ws.testserver.ExposedOperations;
@@ -110,6 +111,60 @@ class RecoveriesTest {
         assertThat(operator.get(PATH + "/cnosuch").status()).isEqualTo(404);
         assertThat(one.performed()).isEmpty();
         assertThat(other.performed()).isEmpty();
+    }
+
+    @Test
+    void whatWasPreviewedIsBegunAndNothingElse() {
+        ImmediateCopter first = aloft(8.5456);
+        String alone = "{\"manner\":\"return\",\"previewed\":[\"" + first.id() + "\"]}";
+        ImmediateCopter second = aloft(8.5459);
+        String name = operator.get("/api/v1/drones/" + second.id()).text("name");
+        TestHttpClient.Answer more = operator.post(PATH, alone);
+        assertThat(more.status()).isEqualTo(409);
+        assertThat(more.text("code")).isEqualTo("recovery-changed");
+        assertThat(more.text("detail"))
+                .isEqualTo("Since the preview more drones would come: " + name + ". Look at a new preview.");
+        assertThat(operator.post(PATH + "/preview", alone).json().path("drones").size())
+                .isEqualTo(2);
+
+        second.isOnGround();
+        ConditionWait.until(
+                "it is down",
+                () -> tenant.server().cloud().drone(new DroneId(second.id())).filter(drone -> !drone.airborne()));
+        String both = "{\"manner\":\"return\",\"previewed\":[\"" + first.id() + "\",\"" + second.id() + "\"]}";
+        assertThat(operator.post(PATH, both).text("detail"))
+                .isEqualTo("Since the preview fewer drones would come. " + name
+                        + " is not in the air. Look at a new preview.");
+        assertThat(operator.post(PATH, "{\"manner\":\"return\",\"previewed\":[\"" + first.id() + "\",\"x y\"]}")
+                        .text("detail"))
+                .contains("x y is not in the air.");
+        ExposedOperations faces = new ExposedOperations(tenant.server());
+        assertThat(first.performed()).isEmpty();
+        assertThat(faces.soap(
+                        operator,
+                        "beginRecovery",
+                        Map.of(
+                                "manner",
+                                "return",
+                                "previewed",
+                                "<item>" + first.id() + "</item><item>" + second.id() + "</item>")))
+                .contains("recovery-changed");
+        assertThat(operator.post(PATH, alone).status()).isEqualTo(201);
+    }
+
+    @Test
+    void whoIsLeftOutIsNamedWithACodeForPrograms() {
+        ImmediateCopter comes = aloft(8.5456);
+        ImmediateCopter held = aloft(8.5459);
+        ImmediateCopter stands = tenant.copter(tenant.unique("Copter"), new Geodetic(47.3977, 8.5462));
+        tenant.http(Role.OPERATOR).post("/api/v1/drones/" + held.id() + "/control/take", "");
+        TestHttpClient.Answer preview = operator.post(
+                PATH + "/preview",
+                "{\"manner\":\"return\",\"drones\":[\"nosuch\",\"" + comes.id() + "\",\"" + held.id() + "\",\""
+                        + stands.id() + "\"]}");
+        assertThat(preview.json().path("leftOut").findValuesAsString("code"))
+                .containsExactly("drone-unknown", "control-held", "not-airborne");
+        assertThat(preview.json().path("leftOut").findValuesAsString("why")).hasSize(3);
     }
 
     @Test

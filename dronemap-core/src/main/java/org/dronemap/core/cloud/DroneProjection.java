@@ -255,7 +255,7 @@ final class DroneProjection {
             case BATTERY -> battery = ((DroneEvent.BatteryReported) event).battery();
             case GPS -> gps = ((DroneEvent.GpsReported) event).gps();
             case HOME -> home((DroneEvent.HomeReported) event);
-            case RETURN_HEIGHT_SET -> returnHeight = ((DroneEvent.ReturnHeightSet) event).height();
+            case RETURN_HEIGHT_SET -> returnHeight((DroneEvent.ReturnHeightSet) event);
             case MISSION_CURRENT -> mission(mission.apply((DroneEvent.MissionCurrentReported) event));
             case MISSION_ITEM_REACHED -> reached((DroneEvent.MissionItemReached) event);
             case MISSION_READ -> mission(mission.apply((DroneEvent.MissionRead) event));
@@ -279,6 +279,10 @@ final class DroneProjection {
                 addText(((DroneEvent.TextReported) event).severity(), ((DroneEvent.TextReported) event).text(), null);
         }
         publish();
+    }
+
+    private void returnHeight(DroneEvent.ReturnHeightSet set) {
+        returnHeight = set.height().after(returnHeight);
     }
 
     private void position(DroneEvent.PositionReported event) {

@@ -15,6 +15,11 @@ public enum VehicleKind {
     AIRSHIP,
     UNKNOWN;
 
+    /** It stands in the air at one place, and flies home straight at one height. */
+    public boolean isRotorcraft() {
+        return this == MULTICOPTER || this == HELICOPTER;
+    }
+
     /** It drives, floats or dives: at whatever height it is, it is not in the air. */
     public boolean neverFlies() {
         return switch (this) {

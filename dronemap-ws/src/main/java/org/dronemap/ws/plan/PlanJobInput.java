@@ -3,15 +3,21 @@ package org.dronemap.ws.plan;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import org.dronemap.cognitive.engine.PlanResult;
+import org.dronemap.cognitive.plan.Plan;
 import org.dronemap.cognitive.plan.Tour;
+import org.dronemap.cognitive.plan.WaysHome;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.PlanningProblem;
 import org.dronemap.cognitive.problem.Task;
 import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.ws.problem.OperationProblem;
+import org.dronemap.ws.problem.ProblemParameter;
+import org.dronemap.ws.problem.Rejection;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -72,5 +78,45 @@ public record PlanJobInput(
             missions(tour.drone()).flatMap(missions -> missions.fault(tour)).ifPresent(faults::add);
         }
         return faults;
+    }
+
+    /** Refuses to start more drones at once than have a way home apart from each other. */
+    void requireWaysHome(Plan plan) {
+        WaysHome.of(
+                        problem,
+                        plan,
+                        drone -> drones.stream()
+                                .filter(state -> state.id().equals(drone))
+                                .map(DroneState::identification)
+                                .anyMatch(identity -> identity.kind().isRotorcraft()))
+                .shortage()
+                .ifPresent(shortage -> {
+                    throw Rejection.of(
+                            OperationProblem.WAYS_HOME_DO_NOT_FIT,
+                            sentence(shortage),
+                            ProblemParameter.DRONES.is(shortage.drones()),
+                            ProblemParameter.MOST.is(shortage.fitting()));
+                });
+    }
+
+    private String sentence(WaysHome.Shortage shortage) {
+        boolean level = shortage.unevenMeters() == shortage.apartMeters();
+        return String.format(
+                Locale.ROOT,
+                "%d of %d drones have a way home between %.0f m (%s) and the ceiling of %.0f m above the home of “%s”:"
+                        + " layers are %.0f m apart%s. Take off fewer at once, raise the ceiling, or keep their areas and"
+                        + " pads %.0f m apart.",
+                shortage.fitting(),
+                shortage.drones(),
+                shortage.flownMeters(),
+                shortage.isFlown() ? "the highest way" : "as high as they return at least",
+                shortage.ceilingMeters(),
+                nameOf(shortage.without()),
+                shortage.apartMeters(),
+                level
+                        ? ""
+                        : String.format(
+                                Locale.ROOT, ", %.0f m where homes are not known to be level", shortage.unevenMeters()),
+                shortage.besideMeters());
     }
 }

@@ -130,6 +130,10 @@ public final class PlanService {
         }
         PlanJob job = find(principal, id);
         List<Tour> tours = acceptable(principal, job, start.wanted());
+        PlanResult planned = job.status().result();
+        if (start.wanted() && planned != null) {
+            job.order().requireWaysHome(planned.plan());
+        }
         boolean begun = job.accept(tours.stream()
                 .map(tour -> new DroneLaunchStatus(tour.drone(), DroneLaunchStatus.Stage.UPLOADING, null, null))
                 .toList());
@@ -157,6 +161,7 @@ public final class PlanService {
         if (planned == null || job.status().busy()) {
             throw Rejection.of(OperationProblem.PLAN_UNDER_WAY, "Its missions are on their way to the drones already.");
         }
+        job.order().requireWaysHome(planned.plan());
         return new Flyable(job.order(), planned);
     }
 
@@ -189,6 +194,7 @@ public final class PlanService {
                     "Not all drones of the plan are free any more, and others of the pool cannot fly it. "
                             + String.join(" ", faults));
         }
+        order.requireWaysHome(planned.plan());
         return new Flyable(order, planned);
     }
 

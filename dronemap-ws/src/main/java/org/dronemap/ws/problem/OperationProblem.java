@@ -53,6 +53,14 @@ public enum OperationProblem implements ProblemCode {
             RejectionKind.CONFLICT,
             "The start of the plan was stopped before the drone's turn.",
             "It has its mission and was not started, since the start was stopped.")),
+    WAYS_HOME_DO_NOT_FIT(ProblemCatalogueEntry.of(
+                    "ways-home-do-not-fit",
+                    RejectionKind.CONFLICT,
+                    "More drones would be in the air at once than have a way home apart from each other below the"
+                            + " ceiling; most says how many have.",
+                    "3 of 7 drones have a way home between 20 m (the highest way) and the ceiling of 40 m above the home"
+                            + " of “Kestrel”: layers are 6 m apart.")
+            .with(ProblemParameter.DRONES, ProblemParameter.MOST)),
     TAKE_OFF_NOT_CLEAR(ProblemCatalogueEntry.of(
             "take-off-not-clear",
             RejectionKind.CONFLICT,
@@ -88,7 +96,24 @@ public enum OperationProblem implements ProblemCode {
                     RejectionKind.CONFLICT,
                     "The drones cannot all come down apart from each other; most says how many have room.",
                     "5 of 9 drones fit between 20 m and the ceiling of 120 m above their homes, 6.0 m above each other.")
-            .with(ProblemParameter.DRONES, ProblemParameter.MOST));
+            .with(ProblemParameter.DRONES, ProblemParameter.MOST)),
+    RECOVERY_CHANGED(ProblemCatalogueEntry.of(
+            "recovery-changed",
+            RejectionKind.CONFLICT,
+            "Other drones would come than the preview showed; nothing was begun.",
+            "Since the preview more drones would come: Kestrel. Look at a new preview.")),
+    RECOVERY_NOT_FOR_KIND(ProblemCatalogueEntry.of(
+            "recovery-not-for-kind",
+            RejectionKind.CONFLICT,
+            "A vehicle of this kind does not stand in the air until its turn comes; it is sent home by itself.",
+            "A plane does not stand in the air until its turn comes. Once the others are down, send it home by itself:"
+                    + " return to launch.")),
+    RECOVERY_NEEDS_TAKE_OVER(ProblemCatalogueEntry.of(
+            "recovery-needs-take-over",
+            RejectionKind.CONFLICT,
+            "An operation of the asker, a pilot, or somebody whom the asker may overrule has the drone; takeOver takes it"
+                    + " over.",
+            "The follow has had control of it since 2026-03-04 05:06:07 UTC. Ask with takeOver to take it over."));
 
     @SuppressWarnings("ImmutableEnumChecker") // its lists never change
     private final ProblemCatalogueEntry entry;

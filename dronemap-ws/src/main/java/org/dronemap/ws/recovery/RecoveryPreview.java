@@ -47,5 +47,8 @@ public record RecoveryPreview(
             String drone,
             String droneName,
 
-            @Schema(description = "as a sentence") String why) {}
+            @Schema(description = "Why; docs/problems.md lists them")
+            String code,
+
+            @Schema(description = "The same as a sentence") String why) {}
 }

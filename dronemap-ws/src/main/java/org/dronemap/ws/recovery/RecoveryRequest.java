@@ -44,7 +44,14 @@ public record RecoveryRequest(
                         "true: also drones that operations of yours have, which end by that, and those that a pilot at the"
                                 + " vehicle has; for a supervisor those that others have, too. Else they are left out and named")
         @Nullable
-        Boolean takeOver) {
+        Boolean takeOver,
+
+        @Schema(
+                description =
+                        "Ids of the drones that a preview showed to come: refused with what has changed if others would come"
+                                + " now; left out: it begins with whoever is in the air. A preview does not look at it")
+        @Nullable
+        List<@Nullable String> previewed) {
 
     RecoveryOrder order(Separation least) {
         double low = meters("lowest", lowest, RecoveryOrder.USUAL_LOWEST_METERS);

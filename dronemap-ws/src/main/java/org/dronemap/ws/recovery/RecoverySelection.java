@@ -13,7 +13,7 @@ import org.dronemap.core.access.Principal;
 import org.dronemap.core.access.Role;
 import org.dronemap.core.cloud.CloudManager;
 import org.dronemap.core.command.Command;
-import org.dronemap.core.command.Refusal;
+import org.dronemap.core.command.OutcomeCode;
 import org.dronemap.core.drone.Capability;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
@@ -25,6 +25,11 @@ import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.lease.Lease;
 import org.dronemap.core.lease.LeaseHolder;
 import org.dronemap.core.mission.Altitude;
+import org.dronemap.ws.problem.CommandProblem;
+import org.dronemap.ws.problem.DroneProblem;
+import org.dronemap.ws.problem.NotFoundProblem;
+import org.dronemap.ws.problem.OperationProblem;
+import org.dronemap.ws.problem.ProblemCode;
 import org.jspecify.annotations.Nullable;
 
 /** Chooses the drones of a recovery among those that its user may command, and says why each of the others is left alone. */
@@ -35,6 +40,9 @@ final class RecoverySelection {
     private final Principal principal;
     private final RecoveryOrder order;
     private final boolean takeOver;
+
+    /** Reason for leaving a drone alone: a code for programs, and a sentence. */
+    private record Reason(ProblemCode code, String sentence) {}
 
     /**
      * Drones that come, and those that are left alone.
@@ -84,20 +92,26 @@ final class RecoverySelection {
                     .distinct()
                     .filter(id -> find(id).isEmpty())
                     .map(String::valueOf)
-                    .map(id -> new RecoveryPreview.LeftOutView(
-                            id, id, "There is no drone of this id, or you do not see it."))
+                    .map(id -> leftOut(
+                            id,
+                            id,
+                            new Reason(NotFoundProblem.DRONE, "There is no drone of this id, or you do not see it.")))
                     .forEach(leftOut::add);
         }
         for (DroneState drone : named == null ? all() : named(named)) {
-            Optional<String> why = whyNot(drone);
+            Optional<Reason> why = whyNot(drone);
             if (why.isPresent()) {
-                leftOut.add(new RecoveryPreview.LeftOutView(drone.id().value(), drone.name(), why.get()));
+                leftOut.add(leftOut(drone.id().value(), drone.name(), why.get()));
             } else {
                 drones.add(drone);
                 highest.put(drone.id(), highest(drone));
             }
         }
         return new Chosen(drones, highest, leftOut);
+    }
+
+    private static RecoveryPreview.LeftOutView leftOut(String id, String name, Reason why) {
+        return new RecoveryPreview.LeftOutView(id, name, why.code().word(), why.sentence());
     }
 
     private List<DroneState> all() {
@@ -116,44 +130,62 @@ final class RecoverySelection {
                 .findFirst();
     }
 
-    private Optional<String> whyNot(DroneState drone) {
+    private Optional<Reason> whyNot(DroneState drone) {
         if (!principal.may(Role.OPERATOR, drone.id())) {
-            return Optional.of("You may not command it.");
+            return reason(OutcomeCode.ROLE_MAY_NOT_COMMAND, "You may not command it.");
         }
         if (drone.replay() || !drone.airborne()) {
-            return Optional.of("It is not in the air.");
+            return reason(OutcomeCode.NOT_AIRBORNE, "It is not in the air.");
         }
         VehicleKind kind = drone.identification().kind();
-        if (kind != VehicleKind.MULTICOPTER && kind != VehicleKind.HELICOPTER) {
-            return Optional.of("It cannot wait in the air for its turn; call it home by itself.");
+        if (!kind.isRotorcraft()) {
+            return Optional.of(new Reason(OperationProblem.RECOVERY_NOT_FOR_KIND, whyNotOfKind(kind)));
         }
         return whyNotHeld(drone).or(() -> whyUnable(drone));
     }
 
-    private Optional<String> whyUnable(DroneState drone) {
+    private static String whyNotOfKind(VehicleKind kind) {
+        String words = switch (kind) {
+            case FIXED_WING -> "A plane";
+            case VTOL -> "A VTOL plane";
+            case AIRSHIP -> "An airship";
+            case UNKNOWN, MULTICOPTER, HELICOPTER, ROVER, BOAT, SUBMARINE -> "A vehicle whose kind is not known";
+        };
+        return words
+                + " does not stand in the air until its turn comes. Once the others are down, send it home by itself:"
+                + " return to launch.";
+    }
+
+    private static Optional<Reason> reason(OutcomeCode code, String sentence) {
+        return Optional.of(new Reason(new CommandProblem(code), sentence));
+    }
+
+    private Optional<Reason> whyUnable(DroneState drone) {
         Command last = order.manner() == RecoveryManner.LAND ? new Command.Land() : new Command.ReturnToLaunch();
         Set<Capability> able = drone.capabilities().commands();
         boolean can = able.contains(Capability.HOLD)
                 && able.contains(last.needs())
                 && (order.manner() == RecoveryManner.LAND || able.contains(Capability.GO_TO));
         if (!can) {
-            return Optional.of("It cannot hold and come down when it is told to.");
+            return reason(OutcomeCode.CAPABILITY_MISSING, "It cannot hold and come down when it is told to.");
         }
         if (drone.link().state() != LinkState.LIVE) {
             return Optional.empty();
         }
         Position position = drone.position();
-        if (drone.home() == null
-                || point(drone) == null
-                || position == null
-                || position.altitudeAboveHomeMeters() == null) {
-            return Optional.of("Where it is, or where its home is, is not known.");
+        if (drone.home() == null) {
+            return reason(OutcomeCode.HOME_UNKNOWN, "Where its home is, is not known.");
         }
-        return cloud.gate().whyNot(principal, drone, last).map(Refusal::sentence);
+        if (point(drone) == null || position == null || position.altitudeAboveHomeMeters() == null) {
+            return Optional.of(new Reason(DroneProblem.POSITION_UNKNOWN, "Where it is, is not known."));
+        }
+        return cloud.gate()
+                .whyNot(principal, drone, last)
+                .map(refusal -> new Reason(new CommandProblem(refusal.code()), refusal.sentence()));
     }
 
     /** By the rules of control: what others hold is for supervisors, and what the same user's operations hold for takeOver. */
-    private Optional<String> whyNotHeld(DroneState drone) {
+    private Optional<Reason> whyNotHeld(DroneState drone) {
         Lease tenure = cloud.controls().control(drone.id()).tenure();
         if (tenure == null || tenure.holder().is(principal.name())) {
             return Optional.empty();
@@ -166,7 +198,10 @@ final class RecoverySelection {
             return Optional.empty();
         }
         String held = cloud.controls().control(drone.id()).sentence();
-        return Optional.of(may ? held + " Ask with takeOver to take it over." : held);
+        return may
+                ? Optional.of(new Reason(
+                        OperationProblem.RECOVERY_NEEDS_TAKE_OVER, held + " Ask with takeOver to take it over."))
+                : reason(OutcomeCode.CONTROL_HELD, held);
     }
 
     /** As zones let it climb where it is. */

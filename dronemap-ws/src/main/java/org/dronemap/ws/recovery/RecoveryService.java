@@ -3,9 +3,11 @@ package org.dronemap.ws.recovery;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.dronemap.cognitive.operation.recovery.RecoveryDrone;
@@ -90,7 +92,7 @@ public final class RecoveryService {
 
     public RecoveryPreview preview(Principal principal, RecoveryRequest request) {
         RoleChecks.require(principal, Role.OPERATOR);
-        Draft draft = draft(principal, request);
+        Draft draft = draft(principal, request, null);
         Map<DroneId, RecoverySlot> slots = new HashMap<>();
         draft.plan().slots().forEach(slot -> slots.put(slot.drone(), slot));
         List<DroneState> ordered = new ArrayList<>();
@@ -132,10 +134,14 @@ public final class RecoveryService {
                                 .toList());
     }
 
-    private Draft draft(Principal principal, RecoveryRequest request) {
+    /** {@code previewed}: drones that the user was shown; null: none was. */
+    private Draft draft(Principal principal, RecoveryRequest request, @Nullable List<@Nullable String> previewed) {
         desk.requireWithoutBounds(principal);
         RecoveryOrder order = request.order(least);
         Chosen chosen = new RecoverySelection(cloud, principal, order, request.isTakeOver()).choose(request.drones());
+        if (previewed != null) {
+            requireSame(principal, new LinkedHashSet<>(previewed), chosen);
+        }
         if (chosen.drones().isEmpty()) {
             throw Rejection.of(
                     OperationProblem.NO_DRONE_TO_RECOVER,
@@ -158,6 +164,43 @@ public final class RecoveryService {
         return new Draft(order, chosen, plan(order, chosen));
     }
 
+    /** Nobody confirms what was not shown. */
+    private void requireSame(Principal principal, Set<@Nullable String> previewed, Chosen chosen) {
+        List<String> more = chosen.drones().stream()
+                .filter(drone -> !previewed.contains(drone.id().value()))
+                .map(DroneState::name)
+                .toList();
+        List<String> gone = previewed.stream()
+                .map(String::valueOf)
+                .filter(id -> chosen.drones().stream()
+                        .noneMatch(drone -> drone.id().value().equals(id)))
+                .map(id -> whyGone(principal, id, chosen))
+                .toList();
+        if (!more.isEmpty() || !gone.isEmpty()) {
+            throw Rejection.of(
+                    OperationProblem.RECOVERY_CHANGED,
+                    (more.isEmpty()
+                                    ? ""
+                                    : "Since the preview more drones would come: " + String.join(", ", more) + ". ")
+                            + (gone.isEmpty() ? "" : "Since the preview fewer drones would come. ")
+                            + String.join("", gone)
+                            + "Look at a new preview.");
+        }
+    }
+
+    private String whyGone(Principal principal, String id, Chosen chosen) {
+        Optional<String> leftOut = chosen.leftOut().stream()
+                .filter(one -> one.drone().equals(id))
+                .map(one -> one.droneName() + ": " + one.why() + " ")
+                .findFirst();
+        return leftOut.orElseGet(() -> cloud.drones().stream()
+                        .filter(drone -> drone.id().value().equals(id) && principal.sees(drone.id()))
+                        .map(DroneState::name)
+                        .findFirst()
+                        .orElse(id)
+                + " is not in the air. ");
+    }
+
     private static RecoveryPlan plan(RecoveryOrder order, Chosen chosen) {
         List<RecoveryDrone> standing = chosen.standing();
         if (standing.isEmpty()) {
@@ -177,7 +220,7 @@ public final class RecoveryService {
     /** All stop at once, and come in their turns. */
     public RecoveryView begin(Principal principal, RecoveryRequest request) {
         RoleChecks.require(principal, Role.OPERATOR);
-        Draft draft = draft(principal, request);
+        Draft draft = draft(principal, request, request.previewed());
         desk.requireRoom(principal);
         takeOver.free(principal, draft.order().manner(), draft.chosen().drones());
         Instant at = desk.now();

@@ -64,7 +64,7 @@ class RecoveryFlightTest {
     }
 
     private static RecoveryRequest all(String manner) {
-        return new RecoveryRequest(manner, null, null, null, null);
+        return new RecoveryRequest(manner, null, null, null, null, null);
     }
 
     private RecoveryView begins(RecoveryRequest request) {
@@ -255,7 +255,7 @@ class RecoveryFlightTest {
     @Test
     void refusesWithTheNumberWhatDoesNotFitUnderTheCeiling() {
         inTheAir(5);
-        RecoveryRequest low = new RecoveryRequest("return", null, 20.0, 33.0, null);
+        RecoveryRequest low = new RecoveryRequest("return", null, 20.0, 33.0, null, null);
         Rejection refused = catchThrowableOfType(Rejection.class, () -> begins(low));
         assertThat(refused.sentence())
                 .startsWith("3 of 5 drones fit between 20 m and the ceiling of 33 m above their homes");
@@ -267,7 +267,7 @@ class RecoveryFlightTest {
         List<LabDrone> drones = inTheAir(3);
         Pilot bob = lab.pilot("bob", Role.OPERATOR);
         Pilot chief = lab.pilot("chief", Role.SUPERVISOR);
-        RecoveryRequest taking = new RecoveryRequest("return", null, null, null, true);
+        RecoveryRequest taking = new RecoveryRequest("return", null, null, null, true, null);
         ann.takesControl(drones.get(0));
         Rejection none = catchThrowableOfType(
                 Rejection.class, () -> lab.server().recoveries().preview(bob.principal(), taking));
@@ -289,7 +289,7 @@ class RecoveryFlightTest {
         RecoveryView first = begins(all("return"));
         Rejection none = catchThrowableOfType(Rejection.class, () -> begins(all("return")));
         assertThat(none.sentence()).contains("Ask with takeOver to take it over.");
-        RecoveryView second = begins(new RecoveryRequest("land", null, null, null, true));
+        RecoveryView second = begins(new RecoveryRequest("land", null, null, null, true, null));
         lab.untilSeen(
                 "the first one is over",
                 Duration.ofSeconds(5),

@@ -56,7 +56,6 @@ class DescribedReasonsTest {
             Map.entry("RecordingView.notice", HOW_IT_IS),
             Map.entry("PlanResultView.faults", OF_A_SEARCH),
             Map.entry("PlanUnservedView.why", OF_A_SEARCH),
-            Map.entry("RecoveryLeftOutView.why", OF_A_SEARCH),
             Map.entry("RunWaypointView.why", OF_A_SEARCH),
             Map.entry("VirtualDroneRunView.why", OF_A_SEARCH),
             Map.entry("PlanView.why", "the state tells that the search failed, for which there is one reason"),

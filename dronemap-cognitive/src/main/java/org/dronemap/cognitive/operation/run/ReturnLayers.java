@@ -16,7 +16,10 @@ import org.dronemap.cognitive.problem.Waypoint;
 import org.dronemap.core.drone.VehicleKind;
 import org.jspecify.annotations.Nullable;
 
-/** Assigns each drone of a mission run an altitude layer of its own to return in, above all planned flight. */
+/**
+ * Altitude layers above all planned flight, for drones of a mission run that have no way home by its plan: those that do not
+ * fly at first, and those that join.
+ */
 final class ReturnLayers {
     /** What vehicles climb to where nobody says otherwise, in m over their homes. */
     private static final double LEAST_METERS = 15;
@@ -75,7 +78,7 @@ final class ReturnLayers {
      */
     @Nullable
     Double of(Craft craft, VehicleKind kind, int number) {
-        if (kind != VehicleKind.MULTICOPTER && kind != VehicleKind.HELICOPTER) {
+        if (!kind.isRotorcraft()) {
             return null;
         }
         List<Double> layers = layers(craft);

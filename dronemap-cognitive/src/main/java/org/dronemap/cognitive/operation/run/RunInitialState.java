@@ -15,6 +15,7 @@ import org.dronemap.cognitive.operation.run.model.Sortie;
 import org.dronemap.cognitive.plan.Tour;
 import org.dronemap.cognitive.plan.TourStop;
 import org.dronemap.cognitive.plan.UnservedWaypoint;
+import org.dronemap.cognitive.plan.WaysHome;
 import org.dronemap.cognitive.problem.Craft;
 import org.dronemap.cognitive.problem.Task;
 import org.dronemap.cognitive.problem.Waypoint;
@@ -66,14 +67,20 @@ final class RunInitialState {
                 order.plan().tours().stream().collect(Collectors.toMap(Tour::drone, Function.identity()));
         Map<String, Task> tasks =
                 order.problem().waypoints().stream().collect(Collectors.toMap(Waypoint::id, Waypoint::task));
-        ReturnLayers heights = ReturnLayers.of(order.problem(), order.plan());
+        WaysHome ways = WaysHome.of(
+                order.problem(),
+                order.plan(),
+                drone -> members.containsKey(drone) && members.get(drone).kind().isRotorcraft());
+        ReturnLayers others = ReturnLayers.of(order.problem(), order.plan());
+        int above = order.plan().tours().size();
         List<RunDrone> drones = new ArrayList<>();
         for (Craft craft : order.problem().crafts()) {
             RunOrder.Member member = members.get(craft.id());
             if (member == null) {
                 throw new IllegalArgumentException("the drone " + craft.id() + " is no member of the run");
             }
-            Double height = heights.of(craft, member.kind(), drones.size());
+            Double own = ways.height(craft.id()).orElse(null);
+            Double height = own == null ? others.of(craft, member.kind(), above++) : own;
             RunDrone joining =
                     RunDrone.joining(new RunDrone.Profile(craft, member.name(), member.kind(), height), order.at());
             Tour tour = tours.get(craft.id());
