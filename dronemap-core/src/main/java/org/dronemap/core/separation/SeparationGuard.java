@@ -71,20 +71,26 @@ public final class SeparationGuard {
         if (!isConflict(mine, yours, least)) {
             return;
         }
-        // Who comes home by itself is the last to be stopped, and not before it must be.
-        boolean soon = isConflict(soon(mine), soon(yours), least);
-        boolean homeward = mayOnlyComeHome(one) || mayOnlyComeHome(other);
-        boolean solved = waits(one, mine, other, yours, new Waiting(false, true))
-                || dodge(one, other, Reach.LASTING)
-                || waits(one, mine, other, yours, new Waiting(false, false))
-                || dodge(one, other, Reach.CLEAR)
-                || (homeward && !soon)
-                || waits(one, mine, other, yours, new Waiting(true, false))
-                || dodge(one, other, Reach.BEST);
-        if (!solved) {
+        if (!solve(one, mine, other, yours)) {
             hold(other, one);
             hold(one, other);
         }
+    }
+
+    /** Who comes home by itself is the last to be stopped, and not before it must be. */
+    private boolean solve(TrackedDrone one, List<Track> mine, TrackedDrone other, List<Track> yours) {
+        boolean known = waits(one, mine, other, yours, new Waiting(false, true))
+                || dodge(one, other, Reach.LASTING)
+                || waits(one, mine, other, yours, new Waiting(false, false))
+                || dodge(one, other, Reach.CLEAR);
+        if (known) {
+            return true;
+        }
+        boolean homeward = mayOnlyComeHome(one) || mayOnlyComeHome(other);
+        if (homeward && !isConflict(soon(mine), soon(yours), round.least(one, other))) {
+            return true;
+        }
+        return waits(one, mine, other, yours, new Waiting(true, false)) || dodge(one, other, Reach.BEST);
     }
 
     private static boolean isConflict(List<Track> some, List<Track> others, Separation least) {
