@@ -28,7 +28,7 @@ final class FlightProof {
     private final Map<DroneId, Optional<Track>> tracks = new HashMap<>();
     private @Nullable TrackForecast forecast;
 
-    /** What a drone sets off for. */
+    /** Aim of a drone that sets off. */
     enum Way {
         MISSION,
         HOME
@@ -37,7 +37,7 @@ final class FlightProof {
     /** Vehicles cut corners, and fly past them. */
     private static final double CORNER_METERS = 2;
 
-    /** By how much a drone may be early or late: from now on, and as a share of the time until then. */
+    /** Allowance for a drone that is early or late: from now on, and as a share of the time until then. */
     private record Tolerance(double seconds, double share) {}
 
     FlightProof(SeparationRound round) {

@@ -128,14 +128,14 @@ public final class SeparationGuard {
     }
 
     /**
-     * Who is asked to wait.
+     * Kind of drone that is asked to wait.
      *
      * @param homeward one that comes home
      * @param lasting only one that stands in nobody's way for as long as it may have to
      */
     private record Waiting(boolean homeward, boolean lasting) {}
 
-    /** How good a step aside has to be. */
+    /** Quality that a step aside has to have. */
     private enum Reach {
         /** Clear of all for as long as it may have to stand there. */
         LASTING,

@@ -25,6 +25,7 @@ class DescribedReasonsTest {
     private static final String OF_A_PERSON = "a person wrote it";
     private static final String HOW_IT_IS = "tells people how it is; what a program needs of that are members";
     private static final String OF_A_COMMAND = "is that of the command beside it, whose record has the code";
+    private static final String OF_A_DRONE = "was written down as the drone or the gate said it";
     private static final String OF_A_SEARCH = "explains what a search came to; nobody asked for what it tells of";
 
     /** Those without a code. */
@@ -58,10 +59,12 @@ class DescribedReasonsTest {
             Map.entry("PlanUnservedView.why", OF_A_SEARCH),
             Map.entry("RunWaypointView.why", OF_A_SEARCH),
             Map.entry("VirtualDroneRunView.why", OF_A_SEARCH),
+            Map.entry("VirtualDroneShareView.why", OF_A_SEARCH),
             Map.entry("PlanView.why", "the state tells that the search failed, for which there is one reason"),
             Map.entry("ReplayView.failure", "the state tells that it failed; what the system says of the file"),
             Map.entry("StreamError.problem", "has its code within"),
-            Map.entry("VirtualDroneRunView.detail", "was written down as the drone or the gate said it"),
+            Map.entry("VirtualDroneRunView.detail", OF_A_DRONE),
+            Map.entry("VirtualDroneShareView.detail", OF_A_DRONE),
             Map.entry("WaitingView.reason", "is a word for programs itself"),
             Map.entry("WaitingView.why", "the reason beside it is for programs"));
 

@@ -87,7 +87,7 @@ final class DroneObstacles {
         if (!drone.flags().triggers().contains(LED_ROUND)
                 || stands(draft, drone, look)
                 || mayHoverUnheard(draft, drone, look)
-                || isAboutToBeHeard(drone, look)) {
+                || isAboutToReport(drone, look)) {
             return;
         }
         note(draft, drone, false);
@@ -104,7 +104,7 @@ final class DroneObstacles {
     }
 
     /** What becomes of it is decided first: it may stand there still. */
-    private static boolean isAboutToBeHeard(RunDrone drone, DroneObservation look) {
+    private static boolean isAboutToReport(RunDrone drone, DroneObservation look) {
         return look.isLive() && drone.stage() == RunDroneStage.SILENT;
     }
 
