@@ -96,7 +96,6 @@ function landingLayers(palette: Palette): LayerSpecification[] {
         'text-field': ['get', 'label'],
         'text-font': MAP_FONT,
         'text-size': 12,
-        // Beside the name of a drone that stands there.
         'text-variable-anchor': ['top', 'bottom', 'left', 'right'],
         'text-radial-offset': 1.8,
         'text-justify': 'auto',
