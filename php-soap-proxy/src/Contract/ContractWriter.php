@@ -10,6 +10,7 @@ final class ContractWriter
     /** Services of which this proxy has every operation; where two have the same one, the first is asked. */
     private const SERVED = [
         'MAVLinkControllerService', 'PlanningService', 'VirtualDroneService', 'ApplicationWS', 'FollowerService',
+        'DispatchService', 'RecoveryService',
     ];
     /** Why it has none of the other services. */
     private const LEFT_OUT = [

@@ -1,5 +1,6 @@
 package org.dronemap.core.separation;
 
+import java.time.Duration;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -16,10 +17,15 @@ import org.jspecify.annotations.Nullable;
 final class FlightProof {
     /** Flights that last longer are proved for so long. */
     private static final double LONGEST_SECONDS = 900;
-    /** Of drones of two operations. */
-    private static final Tolerance UNPLANNED = new Tolerance(1, 0.03);
-    /** Of one plan, as long as none of them gave way: its drones are as near as they may be where it goes as planned. */
-    private static final Tolerance PLANNED = new Tolerance(0.5, 0.01);
+    /** Vehicles cut corners, and fly past them. */
+    private static final double CORNER_METERS = 2;
+
+    /** From now on, and as a share of the time until then. */
+    private static final double EARLY_OR_LATE_SECONDS = 1;
+
+    private static final double EARLY_OR_LATE_SHARE = 0.03;
+    /** Until then it goes as planned, and planned together they are apart. */
+    private static final Duration ON_TIME = Duration.ofSeconds(3);
 
     private final SeparationRound round;
     /** Those that set off now, of which nobody sees yet what they fly. */
@@ -33,12 +39,6 @@ final class FlightProof {
         MISSION,
         HOME
     }
-
-    /** Vehicles cut corners, and fly past them. */
-    private static final double CORNER_METERS = 2;
-
-    /** Allowance for a drone that is early or late: from now on, and as a share of the time until then. */
-    private record Tolerance(double seconds, double share) {}
 
     FlightProof(SeparationRound round) {
         this.round = round;
@@ -63,10 +63,18 @@ final class FlightProof {
     }
 
     private boolean meet(Track mine, Track yours, TrackedDrone drone, TrackedDrone other) {
-        boolean asPlanned = SeparationRound.isPlannedTogether(drone, other) && round.yielding(drone) == null;
-        Tolerance either = asPlanned ? PLANNED : UNPLANNED;
-        Separation least = round.least(drone, other).plus(asPlanned ? 0 : CORNER_METERS, 0);
-        return mine.meets(yours, least, either.seconds(), either.share());
+        Separation least = round.least(drone, other);
+        return SeparationRound.isPlannedTogether(drone, other) && isOnTime(drone)
+                ? mine.meets(yours, least, 0, 0)
+                : mine.meets(yours, least.plus(CORNER_METERS, 0), EARLY_OR_LATE_SECONDS, EARLY_OR_LATE_SHARE);
+    }
+
+    /** It rises when it is planned to. */
+    private boolean isOnTime(TrackedDrone drone) {
+        FlightIntent intent = drone.intent();
+        return intent != null
+                && intent.step() == FlightIntent.Step.RISE
+                && Duration.between(intent.since(), round.picture.now()).compareTo(ON_TIME) <= 0;
     }
 
     private double seconds(TrackedDrone drone, TrackSample here, Way way) {

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import org.dronemap.ws.lab.LabDrone;
 import org.dronemap.ws.lab.Laboratory;
 import org.dronemap.ws.lab.LaboratorySetup;
@@ -169,8 +170,14 @@ final class SeparationFlight {
         }
 
         private boolean isOver(Disturbance disturbance) {
-            return drones().stream().allMatch(LabDrone::isDown)
+            return haveAllBegun()
+                    && drones().stream().allMatch(LabDrone::isDown)
                     && (disturbance.changesOperations() || flights.stream().allMatch(Party.Flight::isOver));
+        }
+
+        /** Those whose server does not come back never begin. */
+        private boolean haveAllBegun() {
+            return !lab.isUp() || IntStream.range(0, begun.length).allMatch(number -> begun[number]);
         }
 
         private void step() {
