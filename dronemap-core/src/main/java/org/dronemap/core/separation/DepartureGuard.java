@@ -43,6 +43,9 @@ final class DepartureGuard {
     private static final double LONGEST_PROOF_SECONDS = 20;
 
     private static final double LONGEST_PROOF_SHARE = 0.25;
+    /** The same for one that flies on when nobody keeps it apart from others any more. */
+    private static final double LONGEST_ALONE_SECONDS = 90;
+
     /** The same in the air, since it began to give way. */
     private static final Duration LONGEST_STAND = Duration.ofSeconds(40);
 
@@ -116,7 +119,8 @@ final class DepartureGuard {
         if (intent == null || intent.commanded()) {
             return Optional.empty();
         }
-        double longest = LONGEST_PROOF_SECONDS + LONGEST_PROOF_SHARE * round.far.missionSeconds(drone, here);
+        double usual = LONGEST_PROOF_SECONDS + LONGEST_PROOF_SHARE * round.far.missionSeconds(drone, here);
+        double longest = intent.goesOnAlone() ? Math.max(usual, LONGEST_ALONE_SECONDS) : usual;
         double waited = Duration.between(intent.since(), round.picture.now()).toMillis() / 1e3;
         return waited < longest ? proof.meets(drone, here, FlightProof.Way.MISSION) : Optional.empty();
     }

@@ -14,6 +14,7 @@ import org.jspecify.annotations.Nullable;
  * @param commanded a command for that is under way to it
  * @param since since when
  * @param bounds what keeps it from stepping aside beyond the zones of the cloud
+ * @param goesOnAlone it flies its mission on to its end when it hears no server any more
  */
 public record FlightIntent(
         Step step,
@@ -21,7 +22,8 @@ public record FlightIntent(
         @Nullable FlightPace pace,
         boolean commanded,
         Instant since,
-        Bounds bounds) {
+        Bounds bounds,
+        boolean goesOnAlone) {
     /** Bounds that an operation alone has. */
     public interface Bounds {
         Bounds NONE = (drone, there) -> true;
@@ -50,7 +52,11 @@ public record FlightIntent(
 
     public FlightIntent(
             Step step, List<MissionItem> items, @Nullable FlightPace pace, boolean commanded, Instant since) {
-        this(step, items, pace, commanded, since, Bounds.NONE);
+        this(step, items, pace, commanded, since, Bounds.NONE, false);
+    }
+
+    public FlightIntent goingOnAlone(boolean alone) {
+        return new FlightIntent(step, items, pace, commanded, since, bounds, alone);
     }
 
     /** Also of a drone that no operation has any more, or yet: that it lies, or rises. */

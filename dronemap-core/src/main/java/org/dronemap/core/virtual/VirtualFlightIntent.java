@@ -2,6 +2,7 @@ package org.dronemap.core.virtual;
 
 import java.util.List;
 import java.util.Optional;
+import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.mission.MissionItem;
 import org.dronemap.core.separation.FlightIntent;
 
@@ -12,7 +13,9 @@ public final class VirtualFlightIntent {
     /** Empty: nothing that moves it. */
     public static Optional<FlightIntent> of(VirtualRun run, VirtualRunAssignment assignment) {
         return switch (run.stage()) {
-            case ARMING, STARTING -> Optional.of(intent(FlightIntent.Step.RISE, mission(run, assignment), assignment));
+            case ARMING, STARTING ->
+                Optional.of(intent(FlightIntent.Step.RISE, mission(run, assignment), assignment)
+                        .goingOnAlone(run.onCloudLoss() == MissionCloudLossPolicy.CONTINUE));
             case FLYING -> Optional.of(intent(FlightIntent.Step.FLY, List.of(), assignment));
             case RETURNING, STOPPING, GIVING_UP ->
                 Optional.of(intent(FlightIntent.Step.COME_HOME, List.of(), assignment));

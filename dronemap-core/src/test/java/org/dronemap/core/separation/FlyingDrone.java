@@ -55,6 +55,7 @@ final class FlyingDrone {
     Handling handling = Handling.COMMANDED;
     FlightIntent.@Nullable Step step = FlightIntent.Step.FLY;
     boolean commanded;
+    boolean goesOnAlone;
     List<MissionItem> ahead = List.of();
 
     @Nullable
@@ -115,7 +116,9 @@ final class FlyingDrone {
     }
 
     TrackedDrone seen() {
-        FlightIntent intent = step == null ? null : new FlightIntent(step, ahead, null, commanded, NOW.minusSeconds(1));
+        FlightIntent intent = step == null
+                ? null
+                : new FlightIntent(step, ahead, null, commanded, NOW.minusSeconds(1)).goingOnAlone(goesOnAlone);
         return new TrackedDrone(
                 state(),
                 silence,

@@ -257,16 +257,17 @@ class SeparationGuardTest {
 
     /** Seconds before they meet, a server that is not there any more could not stop them. */
     @ParameterizedTest
-    @ValueSource(strings = {"another's", "of its own plan", "later"})
+    @ValueSource(strings = {"another's", "of its own plan", "later", "later and alone", "much later and alone"})
     void doesNotSetOffForWhereItWouldMeetAMissionLongAfterwards(String whose) {
         FlyingDrone one = new FlyingDrone("a", 0, -400).risesTo(0, 400, 20);
         FlyingDrone other = new FlyingDrone("b", -480, 0).to(500, 0, 20);
         if (whose.equals("of its own plan")) {
             other.operation = one.operation;
         }
-        now = whose.equals("later") ? now.plusSeconds(60) : now;
+        one.goesOnAlone = whose.endsWith("alone");
+        now = now.plusSeconds(whose.startsWith("later") ? 60 : whose.startsWith("much") ? 90 : 0);
         look(one, other);
-        if (!whose.equals("later")) {
+        if (!whose.equals("later") && !whose.startsWith("much")) {
             assertThat(give(one).manner()).isEqualTo(GiveWay.Manner.WAIT);
             other.east = -100;
             look(one, other);

@@ -14,6 +14,7 @@ import org.dronemap.cognitive.problem.Barrier;
 import org.dronemap.cognitive.problem.Place;
 import org.dronemap.cognitive.problem.Speeds;
 import org.dronemap.core.command.Command;
+import org.dronemap.core.command.MissionCloudLossPolicy;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.geo.Geodetic;
 import org.dronemap.core.mission.MissionItem;
@@ -30,7 +31,7 @@ final class RunIntents {
                 (drone, there) -> isWithin(state.setting().barriers(), state.drone(drone.id()), drone, there);
         Map<DroneId, FlightIntent> intents = new HashMap<>();
         for (RunDrone drone : state.drones()) {
-            step(state, drone, now).ifPresent(step -> intents.put(drone.id(), intent(drone, step, bounds)));
+            step(state, drone, now).ifPresent(step -> intents.put(drone.id(), intent(state, drone, step, bounds)));
         }
         return intents;
     }
@@ -52,7 +53,8 @@ final class RunIntents {
         };
     }
 
-    private static FlightIntent intent(RunDrone drone, FlightIntent.Step step, FlightIntent.Bounds bounds) {
+    private static FlightIntent intent(
+            RunState state, RunDrone drone, FlightIntent.Step step, FlightIntent.Bounds bounds) {
         Speeds speeds = drone.craft().performance().speeds();
         RunDrone.IssuedCommand command = drone.issuedCommand();
         return new FlightIntent(
@@ -61,7 +63,8 @@ final class RunIntents {
                 new FlightPace(speeds.cruise(), speeds.climb(), speeds.descent(), speeds.acceleration()),
                 command != null,
                 command == null ? since(drone) : command.at(),
-                bounds);
+                bounds,
+                state.setting().onCloudLoss() == MissionCloudLossPolicy.CONTINUE);
     }
 
     /** One that waits on the ground for the time of its plan means to rise from then on. */

@@ -22,6 +22,7 @@ final class Ground {
     private final SplittableRandom chance;
     private final double side;
     private final long seed;
+    private final String onCloudLoss;
 
     /** An edge of the area, along which pads lie. */
     enum Edge {
@@ -31,10 +32,12 @@ final class Ground {
         WEST
     }
 
-    Ground(SplittableRandom chance, double side, long seed) {
+    /** {@code onCloudLoss}: what drones on missions do that hear no server any more. */
+    Ground(SplittableRandom chance, double side, long seed, String onCloudLoss) {
         this.chance = chance;
         this.side = side;
         this.seed = seed;
+        this.onCloudLoss = onCloudLoss;
     }
 
     int chance(int bound) {
@@ -46,15 +49,16 @@ final class Ground {
     }
 
     RunParty run(String name, Edge edge, int drones) {
-        return RunParty.whole(name, pads(edge, 0, drones), waypoints(4 + chance.nextInt(3) + drones / 4));
+        return RunParty.whole(
+                name, pads(edge, 0, drones), waypoints(4 + chance.nextInt(3) + drones / 4), onCloudLoss);
     }
 
     RunParty stoppedRun(String name, Edge edge, int drones) {
-        return new RunParty(name, pads(edge, 0, drones), waypoints(5), chance.nextDouble(25, 35));
+        return new RunParty(name, pads(edge, 0, drones), waypoints(5), onCloudLoss, chance.nextDouble(25, 35));
     }
 
     VirtualParty virtual(String name, Edge edge, int number) {
-        return new VirtualParty(name, pad(edge, number), waypoints(3 + chance.nextInt(4)));
+        return new VirtualParty(name, pad(edge, number), waypoints(3 + chance.nextInt(4)), onCloudLoss);
     }
 
     HandParty byHand(String name, Edge edge, int number) {

@@ -20,9 +20,10 @@ record RunParty(
         String name,
         List<Spot> pads,
         List<Spot> waypoints,
+        String onCloudLoss,
         @Nullable Double stoppedAfter) implements Party {
-    static RunParty whole(String name, List<Spot> pads, List<Spot> waypoints) {
-        return new RunParty(name, pads, waypoints, null);
+    static RunParty whole(String name, List<Spot> pads, List<Spot> waypoints, String onCloudLoss) {
+        return new RunParty(name, pads, waypoints, onCloudLoss, null);
     }
 
     @Override
@@ -73,10 +74,11 @@ record RunParty(
         @Override
         public void begin() {
             begunNanos = lab.time().nanos();
+            MissionRunFlight.Manner manner = new MissionRunFlight.Manner("automatic", onCloudLoss, null);
             // A server does not know the plans of the one before it.
             run = lab.server() == planner
-                    ? MissionRunFlight.begins(lab, pilot, drones, plan, MissionRunFlight.Manner.ON)
-                    : MissionRunFlight.begins(lab, pilot, drones, wanted, MissionRunFlight.Manner.ON);
+                    ? MissionRunFlight.begins(lab, pilot, drones, plan, manner)
+                    : MissionRunFlight.begins(lab, pilot, drones, wanted, manner);
         }
 
         @Override

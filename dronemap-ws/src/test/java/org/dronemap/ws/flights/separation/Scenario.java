@@ -90,6 +90,11 @@ enum Scenario {
         double side() {
             return 200;
         }
+
+        @Override
+        String onCloudLoss() {
+            return "continue";
+        }
     },
 
     /** Thirty drones: four runs, eight virtual drones, a follow, and one that is flown by hand. */
@@ -127,9 +132,14 @@ enum Scenario {
         return 130;
     }
 
+    /** What drones on missions do that hear no server any more. */
+    String onCloudLoss() {
+        return "rtl";
+    }
+
     /** The operations of that seed. */
     final List<Party> parties(long seed) {
-        return parties(new Ground(new SplittableRandom(seed * SEEDS_APART + ordinal()), side(), seed));
+        return parties(new Ground(new SplittableRandom(seed * SEEDS_APART + ordinal()), side(), seed, onCloudLoss()));
     }
 
     final String words() {

@@ -14,7 +14,7 @@ import org.dronemap.ws.virtual.VirtualDroneRequest;
 import org.dronemap.ws.virtual.VirtualDroneView;
 
 /** The mission of a virtual drone, for which the warehouse gets one drone as it begins. */
-record VirtualParty(String name, Spot pad, List<Spot> waypoints) implements Party {
+record VirtualParty(String name, Spot pad, List<Spot> waypoints, String onCloudLoss) implements Party {
     @Override
     public List<Spot> pads() {
         return List.of(pad);
@@ -43,7 +43,9 @@ record VirtualParty(String name, Spot pad, List<Spot> waypoints) implements Part
             @Override
             public void begin() {
                 lab.server().warehouse().put(owner.principal(), drone.id().value());
-                var unused = lab.server().virtuals().start(owner.principal(), virtual, null);
+                var unused = lab.server()
+                        .virtuals()
+                        .start(owner.principal(), virtual, new VirtualDroneRequest.StartRequest(onCloudLoss));
                 begun = true;
             }
 
