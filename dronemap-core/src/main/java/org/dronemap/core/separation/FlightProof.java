@@ -1,6 +1,5 @@
 package org.dronemap.core.separation;
 
-import java.time.Duration;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -24,9 +23,6 @@ final class FlightProof {
     private static final double EARLY_OR_LATE_SECONDS = 1;
 
     private static final double EARLY_OR_LATE_SHARE = 0.03;
-    /** Until then it goes as planned, and planned together they are apart. */
-    private static final Duration ON_TIME = Duration.ofSeconds(3);
-
     private final SeparationRound round;
     /** Those that set off now, of which nobody sees yet what they fly. */
     private final Map<DroneId, Way> settingOff = new HashMap<>();
@@ -62,19 +58,12 @@ final class FlightProof {
                 .findFirst();
     }
 
+    /** Those that rise by one plan are apart by it. */
     private boolean meet(Track mine, Track yours, TrackedDrone drone, TrackedDrone other) {
-        Separation least = round.least(drone, other);
-        return SeparationRound.isPlannedTogether(drone, other) && isOnTime(drone)
-                ? mine.meets(yours, least, 0, 0)
-                : mine.meets(yours, least.plus(CORNER_METERS, 0), EARLY_OR_LATE_SECONDS, EARLY_OR_LATE_SHARE);
-    }
-
-    /** It rises when it is planned to. */
-    private boolean isOnTime(TrackedDrone drone) {
-        FlightIntent intent = drone.intent();
-        return intent != null
-                && intent.step() == FlightIntent.Step.RISE
-                && Duration.between(intent.since(), round.picture.now()).compareTo(ON_TIME) <= 0;
+        boolean asPlanned =
+                SeparationRound.isPlannedTogether(drone, other) && drone.step() == FlightIntent.Step.RISE;
+        Separation least = round.least(drone, other).plus(CORNER_METERS, 0);
+        return !asPlanned && mine.meets(yours, least, EARLY_OR_LATE_SECONDS, EARLY_OR_LATE_SHARE);
     }
 
     private double seconds(TrackedDrone drone, TrackSample here, Way way) {
