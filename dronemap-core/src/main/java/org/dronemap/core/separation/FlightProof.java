@@ -60,8 +60,7 @@ final class FlightProof {
 
     /** Those that rise by one plan are apart by it. */
     private boolean meet(Track mine, Track yours, TrackedDrone drone, TrackedDrone other) {
-        boolean asPlanned =
-                SeparationRound.isPlannedTogether(drone, other) && drone.step() == FlightIntent.Step.RISE;
+        boolean asPlanned = SeparationRound.isPlannedTogether(drone, other) && drone.step() == FlightIntent.Step.RISE;
         Separation least = round.least(drone, other).plus(CORNER_METERS, 0);
         return !asPlanned && mine.meets(yours, least, EARLY_OR_LATE_SECONDS, EARLY_OR_LATE_SHARE);
     }
