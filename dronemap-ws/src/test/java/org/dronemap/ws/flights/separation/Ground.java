@@ -49,8 +49,7 @@ final class Ground {
     }
 
     RunParty run(String name, Edge edge, int drones) {
-        return RunParty.whole(
-                name, pads(edge, 0, drones), waypoints(4 + chance.nextInt(3) + drones / 4), onCloudLoss);
+        return RunParty.whole(name, pads(edge, 0, drones), waypoints(4 + chance.nextInt(3) + drones / 4), onCloudLoss);
     }
 
     RunParty stoppedRun(String name, Edge edge, int drones) {
