@@ -57,8 +57,15 @@ class TrueTracks:
     def fixes(self) -> dict[str, list[Fix]]:
         return {name: list(track) for name, track in self._fixes.items()}
 
-    def all_down(self) -> bool:
-        return all(not track[-1].armed for track in self._fixes.values())
+    def down_for(self) -> float:
+        """Seconds for which no vehicle has been armed; 0: one is."""
+        now = time.monotonic()
+        return min(
+            (now - next((fix.at for fix in reversed(track) if fix.armed), track[0].at))
+            if not track[-1].armed
+            else 0.0
+            for track in self.fixes().values()
+        )
 
     def close(self) -> None:
         self._closed.set()

@@ -20,7 +20,7 @@ from dronemap_e2e.operations_together import (
 from dronemap_e2e.separation_judge import write_rows
 from dronemap_e2e.server import ROOT, Server
 from dronemap_e2e.simulator import Simulator
-from dronemap_e2e.sitl_drone import Column, sitl_drones
+from dronemap_e2e.sitl_drone import Column, SitlDrone, sitl_drones
 from dronemap_e2e.true_tracks import Flight, TrueTracks, true_fixes
 from dronemap_e2e.waiting import wait_for
 
@@ -96,9 +96,8 @@ def test_operations_keep_apart_over_real_sockets(
     parts = operations(own_server, scenario, seed)
     for part in parts:
         part.begin()
-    wait_for("somebody flies", lambda: not tracks.all_down(), 90)
-    wait_for("all are down", lambda: _is_over(own_server) and tracks.all_down(), LONGEST_SECONDS)
-    time.sleep(1)
+    wait_for("somebody flies", lambda: tracks.down_for() == 0, 90)
+    wait_for("all are down", lambda: _is_over(own_server) and tracks.down_for() > 1, LONGEST_SECONDS)
     tracks.close()
 
     flight = Flight(f"{scenario}-over-sockets", seed, [part.operation for part in parts])
@@ -125,14 +124,15 @@ def test_killed_server_leaves_drones_apart(
     chance = random.Random(1_000 + seed)
     for part in parts:
         part.begin()
-    wait_for("somebody flies", lambda: not tracks.all_down(), 90)
-    time.sleep(chance.uniform(KILLED_FROM, KILLED_UNTIL))
-    moment = time.monotonic()
+    wait_for("somebody flies", lambda: tracks.down_for() == 0, 90)
+    moment = time.monotonic() + chance.uniform(KILLED_FROM, KILLED_UNTIL)
+    wait_for("the moment has come", lambda: time.monotonic() >= moment, 2 * KILLED_UNTIL, every=0.05)
     own_server.kill()
     if seed % 2:
-        time.sleep(AWAY_SECONDS)
+        wait_for("it was away", lambda: time.monotonic() > moment + AWAY_SECONDS, 2 * AWAY_SECONDS)
         own_server.start()
-    wait_for("all are down", lambda: _stays_down(tracks), LONGEST_SECONDS)
+    # Also those that a server which is back may send up again.
+    wait_for("all stay down", lambda: tracks.down_for() > 25, LONGEST_SECONDS)
     tracks.close()
 
     flight = Flight("killed-over-sockets", seed, [part.operation for part in parts])
@@ -144,13 +144,8 @@ def test_killed_server_leaves_drones_apart(
     assert verdict.result == "ok", verdict.words
 
 
-def _stays_down(tracks: TrueTracks) -> bool:
-    """Also of those that a server which is back may send up again."""
-    since = time.monotonic() - 25
-    return all(
-        not any(fix.armed for fix in track if fix.at > since) and track[0].at < since
-        for track in tracks.fixes().values()
-    )
+def _armed(drone: SitlDrone) -> bool:
+    return drone.autopilot.ground_truth.armed()
 
 
 @pytest.mark.skipif(sitl.COPTER.binary is None, reason=sitl.COPTER.why_not)
@@ -175,7 +170,7 @@ def test_runs_of_two_users_keep_apart_with_real_autopilots(tmp_path: Path) -> No
         for part in parts:
             part.begin()
         wait_for("they are over", lambda: _is_over(server), LONGEST_SECONDS)
-        time.sleep(2)
+        wait_for("all motors are off", lambda: not any(_armed(drone) for drone in drones), 60)
 
         flight = Flight("two-runs-of-real-autopilots", 1, [part.operation for part in parts])
         fixes = {
