@@ -67,6 +67,7 @@ final class CloudLossPreparation implements FlightPreparation {
         Optional<ParameterOverrides> before = desk.kept(drone.id()).filter(ParameterOverrides::written);
         this.prepared = before.isPresent();
         this.state = before.map(CloudLossMessages::setBefore).orElse(CloudLossState.UNKNOWN);
+        drone.drone().returnsAt(state.returnMeters());
     }
 
     @Override
@@ -220,8 +221,17 @@ final class CloudLossPreparation implements FlightPreparation {
         desk.kept(drone.id()).ifPresent(kept -> desk.written(kept, true));
         if (plan != null) {
             state = CloudLossMessages.set(plan, crossing);
+            drone.drone().returnsAt(plan.returnMeters());
             CloudLossMessages.notable(plan, crossing)
                     .ifPresent(sentence -> drone.publishMessage(Severity.NOTICE, sentence));
+        }
+    }
+
+    @Override
+    public void returnsAt(double meters) {
+        if (prepared && state.returnMeters() != null) {
+            state = state.returningAt(meters);
+            desk.returnsAt(drone.id(), meters);
         }
     }
 
@@ -259,6 +269,9 @@ final class CloudLossPreparation implements FlightPreparation {
         toldOfFailure = false;
         toldEnd = null;
         unusedSince = null;
+        if (state.returnMeters() != null) {
+            drone.drone().returnsAt(null);
+        }
         state = CloudLossState.UNKNOWN;
         if (desk.kept(drone.id()).isPresent()) {
             desk.done(drone.id());

@@ -281,6 +281,12 @@ final class DroneProjection {
         publish();
     }
 
+    /** {@code meters} above home, as the cloud has set it for the time without the cloud; null: not known any more. */
+    void returnsAt(@Nullable Double meters) {
+        returnHeight = meters == null ? null : new ReturnHeight(meters, meters).after(returnHeight);
+        publish();
+    }
+
     private void returnHeight(DroneEvent.ReturnHeightSet set) {
         returnHeight = set.height().after(returnHeight);
     }

@@ -19,6 +19,9 @@ interface FlightPreparation extends Lane.TimedTask {
         public void ended(PendingCommand entry, Outcome outcome) {}
 
         @Override
+        public void returnsAt(double meters) {}
+
+        @Override
         public CloudLossState state() {
             return CloudLossState.UNKNOWN;
         }
@@ -32,6 +35,9 @@ interface FlightPreparation extends Lane.TimedTask {
 
     /** Any command of this drone has ended. */
     void ended(PendingCommand entry, Outcome outcome);
+
+    /** It was set to fly home at another height, in m above home. */
+    void returnsAt(double meters);
 
     /** Any thread. */
     CloudLossState state();

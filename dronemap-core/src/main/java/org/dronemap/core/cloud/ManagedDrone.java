@@ -265,6 +265,9 @@ final class ManagedDrone implements Lane.TimedTask {
         received();
         String mode = drone.state().mode();
         drone.apply(event);
+        if (event instanceof DroneEvent.ReturnHeightSet set) {
+            preparation.returnsAt(set.height().meters());
+        }
         if (!Objects.equals(mode, drone.state().mode())) {
             // Who has chosen that mode is seen before anybody acts on it.
             modeChanged.run();

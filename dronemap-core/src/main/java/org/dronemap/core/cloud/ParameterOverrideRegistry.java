@@ -58,6 +58,17 @@ final class ParameterOverrideRegistry {
         });
     }
 
+    /** It was set to fly home at another height than the cloud had chosen, in m above home. */
+    void returnsAt(DroneId drone, double meters) {
+        ParameterOverrides before = kept.get(drone);
+        heights.reserve(drone, meters);
+        if (before != null) {
+            ParameterOverrides now = before.returningAt(meters);
+            kept.put(drone, now);
+            journal.write("how high " + now.droneName() + " flies home", () -> store.save(now), () -> {});
+        }
+    }
+
     /** The cloud's values are on board, or are not for certain any more. */
     void written(ParameterOverrides values, boolean written) {
         ParameterOverrides now = values.asWritten(written);

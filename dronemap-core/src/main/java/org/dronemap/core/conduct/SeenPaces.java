@@ -6,6 +6,7 @@ import java.util.Set;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.drone.Motion;
 import org.dronemap.core.separation.DroneFix;
 import org.dronemap.core.separation.FlightPace;
 import org.jspecify.annotations.Nullable;
@@ -20,31 +21,42 @@ final class SeenPaces {
     /** With each look: what was seen half a minute ago counts half. */
     private static final double FORGETTING = 0.994;
 
-    private final Map<DroneId, Double> onMission = new HashMap<>();
+    private final Map<DroneId, LastingSpeed> onMission = new HashMap<>();
     private final Map<DroneId, Double> lately = new HashMap<>();
 
     void observe(DroneState drone, @Nullable DroneFix fix) {
         if (fix == null) {
             return;
         }
-        double speed = Math.hypot(fix.eastward(), fix.northward());
+        double speed = speed(drone, fix);
         lately.merge(drone.id(), speed, (before, now) -> Math.max(before * FORGETTING, now));
-        if (drone.capabilities()
+        boolean mission = drone.capabilities()
                 .steering(drone.mode())
                 .filter(by -> by == Steering.MISSION)
-                .isPresent()) {
-            onMission.merge(drone.id(), speed, Math::max);
+                .isPresent();
+        if (mission) {
+            onMission.computeIfAbsent(drone.id(), id -> new LastingSpeed()).observe(speed);
+        } else {
+            onMission.computeIfPresent(drone.id(), (id, seen) -> seen.interrupted());
         }
+    }
+
+    /** As it says itself: between two reports, each of which may be late, it seems to be as fast as anything. */
+    private static double speed(DroneState drone, DroneFix fix) {
+        Motion motion = drone.motion();
+        Double said = motion == null ? null : motion.groundSpeed();
+        return said == null ? Math.hypot(fix.eastward(), fix.northward()) : said;
     }
 
     /** Of one that flies a mission, or home. */
     FlightPace of(DroneState drone) {
-        return FlightPace.of(drone.identification().kind()).atLeast(onMission.getOrDefault(drone.id(), 0.0));
+        LastingSpeed seen = onMission.get(drone.id());
+        return FlightPace.of(drone.identification()).atLeast(seen == null ? 0 : seen.highest());
     }
 
     /** Of one that somebody steers. */
     FlightPace manual(DroneState drone) {
-        FlightPace usual = FlightPace.of(drone.identification().kind());
+        FlightPace usual = FlightPace.of(drone.identification());
         double cruise = Math.max(LEAST_MANUAL, lately.getOrDefault(drone.id(), 0.0));
         return new FlightPace(cruise, usual.climb(), usual.descent(), usual.acceleration());
     }

@@ -43,6 +43,10 @@ public record CloudLossState(
         return new CloudLossState(state, action, returnMeters, sentence + " " + more, outstanding);
     }
 
+    public CloudLossState returningAt(double meters) {
+        return new CloudLossState(state, action, meters, sentence, outstanding);
+    }
+
     public CloudLossState withOutstanding(List<OverriddenParameter> values) {
         return new CloudLossState(state, action, returnMeters, sentence, values);
     }

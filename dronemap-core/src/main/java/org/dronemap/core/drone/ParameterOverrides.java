@@ -23,6 +23,10 @@ public record ParameterOverrides(
         values = List.copyOf(values);
     }
 
+    public ParameterOverrides returningAt(double meters) {
+        return new ParameterOverrides(drone, droneName, since, meters, written, values);
+    }
+
     public ParameterOverrides asWritten(boolean nowWritten) {
         return new ParameterOverrides(drone, droneName, since, returnMeters, nowWritten, values);
     }

@@ -31,6 +31,9 @@ final class DepartureGuard {
     private static final Duration LONGEST_STANDOFF = Duration.ofSeconds(4);
 
     private static final Duration LONGEST_ARMING = Duration.ofSeconds(20);
+    /** One that may go on from its stand, and does not, has to ask again. */
+    private static final Duration LONGEST_GOING = Duration.ofSeconds(8);
+
     private static final double OVER_METERS = 6;
     private static final double OVER_SECONDS = 5;
     /** Over its home nobody climbs from here to make room. */
@@ -44,10 +47,12 @@ final class DepartureGuard {
 
     private static final double LONGEST_PROOF_SHARE = 0.25;
     /** The same for one that flies on when nobody keeps it apart from others any more. */
-    private static final double LONGEST_ALONE_SECONDS = 90;
+    private static final double LONGEST_ALONE_SECONDS = 600;
 
     /** The same in the air, since it began to give way. */
     private static final Duration LONGEST_STAND = Duration.ofSeconds(40);
+
+    private static final Duration LONGEST_STAND_ALONE = Duration.ofMinutes(2);
 
     private final SeparationRound round;
     private final FlightProof proof;
@@ -60,7 +65,8 @@ final class DepartureGuard {
     }
 
     void check() {
-        // Who has set off already comes first.
+        // Who has set off already, or may in this moment, comes first.
+        round.picture.drones().stream().filter(this::isSettingOff).forEach(this::goesNext);
         round.picture.drones().stream().filter(DepartureGuard::rises).forEach(drone -> {
             TrackSample here = round.far.here(drone);
             departing.put(drone.id(), here == null ? List.of() : List.of(round.far.mission(drone, here)));
@@ -68,25 +74,47 @@ final class DepartureGuard {
                 proof.counts(drone, FlightProof.Way.MISSION);
             }
         });
-        round.picture.drones().stream()
+        List<TrackedDrone> grounded = round.picture.drones().stream()
                 .filter(drone -> drone.step() == FlightIntent.Step.RISE && !rises(drone))
-                .forEach(this::checkTakeOff);
+                .toList();
+        grounded.stream().filter(this::wasLetGo).forEach(this::risesNext);
+        grounded.forEach(this::checkTakeOff);
         round.picture.drones().stream().filter(DepartureGuard::isAboutToGoOn).forEach(this::checkDeparture);
-        // Who may go on already comes before those who would go at the same moment.
         round.picture.drones().stream()
                 .filter(drone -> round.yielding(drone) != null)
                 .sorted(Comparator.comparing(drone -> !isSettingOff(drone)))
                 .forEach(this::checkHold);
     }
 
-    private boolean isSettingOff(TrackedDrone drone) {
-        Yielding own = round.yielding(drone);
-        return own != null && own.isSettingOff(round.picture.now());
+    private void goesNext(TrackedDrone drone) {
+        TrackSample here = round.far.here(drone);
+        if (here != null && drone.waits() && drone.state().airborne()) {
+            goesNext(drone, way(drone, here));
+        }
     }
 
-    /** It is armed for its mission, and not in the air yet. */
+    private void goesNext(TrackedDrone drone, Track way) {
+        departing.put(drone.id(), List.of(way, way.after(STRIDES_TO_GO)));
+        proof.counts(drone, goesHome(drone) ? FlightProof.Way.HOME : FlightProof.Way.MISSION);
+    }
+
+    private Track way(TrackedDrone drone, TrackSample here) {
+        return goesHome(drone) ? round.far.homeward(drone, here) : round.far.mission(drone, here);
+    }
+
+    private boolean isSettingOff(TrackedDrone drone) {
+        Yielding own = round.yielding(drone);
+        boolean isToldTo = drone.step() == FlightIntent.Step.GO_ON && drone.isCommanded();
+        return isToldTo || (own != null && isTold(own));
+    }
+
+    private boolean isTold(Yielding own) {
+        return own.give().clear() && own.wasLetGoWithin(LONGEST_GOING, round.picture.now());
+    }
+
+    /** It is armed for its mission, and not in the air yet as far as it says itself. */
     private static boolean rises(TrackedDrone drone) {
-        return drone.step() == FlightIntent.Step.RISE
+        return (drone.step() == FlightIntent.Step.RISE || drone.step() == FlightIntent.Step.FLY)
                 && Boolean.TRUE.equals(drone.state().armed())
                 && !drone.state().airborne();
     }
@@ -97,26 +125,49 @@ final class DepartureGuard {
         if (here == null || drone.state().airborne()) {
             return;
         }
-        Track at = round.far.mission(drone, here);
-        List<Track> up = List.of(at, at.after(STRIDES_TO_ARM));
+        List<Track> up = up(drone, here);
         Optional<TrackedDrone> above = others(drone)
                 .filter(other -> ways(other).stream()
                         .anyMatch(way -> up.stream().anyMatch(mine -> isInTheWay(drone, mine, way, other))))
                 .findFirst()
                 .or(() -> unproved(drone, here));
-        above.ifPresentOrElse(other -> waitFor(drone, other), () -> {
-            round.yielding.remove(drone.id());
-            if (isUnderWay(drone)) {
-                departing.put(drone.id(), up);
-                proof.counts(drone, FlightProof.Way.MISSION);
-            }
-        });
+        above.ifPresentOrElse(other -> waitFor(drone, other), () -> letGo(drone));
+    }
+
+    private void letGo(TrackedDrone drone) {
+        Instant now = round.picture.now();
+        round.yielding.compute(drone.id(), (id, own) -> own == null ? Yielding.toNobody(drone, now) : own.mayGoOn(now));
+        if (isUnderWay(drone)) {
+            risesNext(drone);
+        }
+    }
+
+    private void risesNext(TrackedDrone drone) {
+        TrackSample here = round.far.here(drone);
+        if (here != null) {
+            departing.put(drone.id(), up(drone, here));
+            proof.counts(drone, FlightProof.Way.MISSION);
+        }
+    }
+
+    /** Whatever it takes to arm it. */
+    private List<Track> up(TrackedDrone drone, TrackSample here) {
+        Track at = round.far.mission(drone, here);
+        return List.of(at, at.after(STRIDES_TO_ARM), at.after(2 * STRIDES_TO_ARM));
+    }
+
+    /** In an earlier round: it may be armed in this moment. */
+    private boolean wasLetGo(TrackedDrone drone) {
+        Yielding own = round.yielding(drone);
+        return (drone.isCommanded() || (own != null && own.mayRise())) && isUnderWay(drone);
     }
 
     /** On the ground a drone waits for free, but not for ever: in the air it is kept apart as well. */
     private Optional<TrackedDrone> unproved(TrackedDrone drone, TrackSample here) {
         FlightIntent intent = drone.intent();
-        if (intent == null || intent.commanded()) {
+        Yielding own = round.yielding(drone);
+        boolean told = own != null && own.mayRise() && own.isSettingOff(round.picture.now());
+        if (intent == null || intent.commanded() || told) {
             return Optional.empty();
         }
         double usual = LONGEST_PROOF_SECONDS + LONGEST_PROOF_SHARE * round.far.missionSeconds(drone, here);
@@ -127,10 +178,8 @@ final class DepartureGuard {
 
     /** One that cannot be armed yet does not keep those beside it on the ground for ever. */
     private boolean isUnderWay(TrackedDrone drone) {
-        FlightIntent intent = drone.intent();
-        return intent != null
-                && (intent.commanded()
-                        || Duration.between(intent.since(), round.picture.now()).compareTo(LONGEST_ARMING) < 0);
+        Yielding own = round.yielding(drone);
+        return drone.isCommanded() || (own != null && own.wasLetGoWithin(LONGEST_ARMING, round.picture.now()));
     }
 
     private List<Track> ways(TrackedDrone other) {
@@ -172,8 +221,19 @@ final class DepartureGuard {
                 .filter(one -> round.far(one).stream()
                         .anyMatch(way -> isInTheWay(drone, mine, way, one)
                                 || (rolls(drone) && isNear(mine, way, round.least(drone, one)))))
-                .findFirst();
-        other.ifPresentOrElse(one -> waitFor(drone, one), () -> round.yielding.remove(drone.id()));
+                .findFirst()
+                .or(() -> unprovedToGo(drone, here));
+        other.ifPresentOrElse(one -> waitFor(drone, one), () -> {
+            round.yielding.remove(drone.id());
+            goesNext(drone, mine);
+        });
+    }
+
+    private Optional<TrackedDrone> unprovedToGo(TrackedDrone drone, TrackSample here) {
+        FlightIntent intent = drone.intent();
+        boolean lasts = intent == null
+                || Duration.between(intent.since(), round.picture.now()).compareTo(longestStand(drone)) > 0;
+        return lasts ? Optional.empty() : proof.meets(drone, here, FlightProof.Way.MISSION);
     }
 
     private Stream<TrackedDrone> others(TrackedDrone drone) {
@@ -207,16 +267,20 @@ final class DepartureGuard {
     }
 
     private void checkStand(TrackedDrone drone, TrackSample here, Yielding own) {
+        if (own.give().clear() && !isTold(own)) {
+            // Others first.
+            round.yielding.put(drone.id(), own.mayNotGoOn());
+            return;
+        }
         boolean home = goesHome(drone);
-        Track mine = home ? round.far.homeward(drone, here) : round.far.mission(drone, here);
+        Track mine = way(drone, here);
         boolean free = isClear(drone, mine, home || !rolls(drone));
         boolean clear = free && isProved(drone, here, own, home);
         Yielding next = clear ? own.mayGoOn(round.picture.now()) : own.mayNotGoOn();
         round.yielding.put(drone.id(), next);
         if (clear) {
             if (next.isSettingOff(round.picture.now())) {
-                departing.put(drone.id(), List.of(mine, mine.after(STRIDES_TO_GO)));
-                proof.counts(drone, home ? FlightProof.Way.HOME : FlightProof.Way.MISSION);
+                goesNext(drone, mine);
             }
             return;
         }
@@ -235,10 +299,15 @@ final class DepartureGuard {
     /** Who was told already that it may go on stays told. */
     private boolean isProved(TrackedDrone drone, TrackSample here, Yielding own, boolean home) {
         Instant now = round.picture.now();
-        return own.give().clear()
-                || own.lasting(now).compareTo(LONGEST_STAND) > 0
+        return isTold(own)
+                || own.lasting(now).compareTo(longestStand(drone)) > 0
                 || proof.meets(drone, here, home ? FlightProof.Way.HOME : FlightProof.Way.MISSION)
                         .isEmpty();
+    }
+
+    private static Duration longestStand(TrackedDrone drone) {
+        FlightIntent intent = drone.intent();
+        return intent != null && intent.goesOnAlone() ? LONGEST_STAND_ALONE : LONGEST_STAND;
     }
 
     private boolean isClear(TrackedDrone drone, Track mine, boolean mayRoll) {

@@ -1,6 +1,6 @@
 package org.dronemap.core.separation;
 
-import org.dronemap.core.drone.VehicleKind;
+import org.dronemap.core.drone.Identification;
 
 /**
  * Speeds and acceleration of a drone on its ways, in m/s and m/s²; what is not known of a vehicle is assumed for its kind.
@@ -17,13 +17,22 @@ public record FlightPace(double cruise, double climb, double descent, double acc
         }
     }
 
-    /** As vehicles of that kind are delivered. */
-    public static FlightPace of(VehicleKind kind) {
-        return switch (kind) {
-            case MULTICOPTER, HELICOPTER, UNKNOWN -> new FlightPace(8, 2.5, 1.5, 2.5);
+    /** As vehicles of that kind are delivered with such an autopilot. */
+    public static FlightPace of(Identification vehicle) {
+        return switch (vehicle.kind()) {
+            case MULTICOPTER, HELICOPTER, UNKNOWN -> ofCopter(vehicle.autopilot());
             case FIXED_WING, VTOL -> new FlightPace(16, 3, 2, 3);
             case AIRSHIP -> new FlightPace(5, 1, 1, 0.5);
             case ROVER, BOAT, SUBMARINE -> new FlightPace(1.5, 1, 1, 0.5);
+        };
+    }
+
+    /** ArduCopter's WPNAV_SPEED, WPNAV_SPEED_UP, WPNAV_SPEED_DN and WPNAV_ACCEL; PX4's MPC_XY_CRUISE and MPC_Z_V_AUTO_*. */
+    private static FlightPace ofCopter(String autopilot) {
+        return switch (autopilot) {
+            case "ArduPilot" -> new FlightPace(10, 2.5, 1.5, 2.5);
+            case "PX4" -> new FlightPace(5, 3, 1.5, 3);
+            default -> new FlightPace(8, 2.5, 1.5, 2.5);
         };
     }
 

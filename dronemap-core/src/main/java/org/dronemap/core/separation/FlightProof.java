@@ -1,5 +1,6 @@
 package org.dronemap.core.separation;
 
+import java.time.Duration;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -23,6 +24,19 @@ final class FlightProof {
     private static final double EARLY_OR_LATE_SECONDS = 1;
 
     private static final double EARLY_OR_LATE_SHARE = 0.03;
+    /** The same of one that is still on the ground. */
+    private static final double RISES_EARLY_OR_LATE_SECONDS = 2.5;
+
+    /** From the decision until it rises: it is armed, told to, and its motors come up to speed. */
+    private static final double RISES_AFTER_SECONDS = 6;
+    /** The same once it is armed. */
+    private static final double ARMED_RISES_AFTER_SECONDS = 2.5;
+    /** From the decision until it sets off from its stand. */
+    private static final double GOES_AFTER_SECONDS = 1;
+
+    /** Whoever waits longer is late by its plan. */
+    private static final Duration AT_ONCE = Duration.ofSeconds(3);
+
     private final SeparationRound round;
     /** Those that set off now, of which nobody sees yet what they fly. */
     private final Map<DroneId, Way> settingOff = new HashMap<>();
@@ -49,7 +63,7 @@ final class FlightProof {
     /** Another drone that it would meet if it set off now; empty: it stays clear of all. */
     Optional<TrackedDrone> meets(TrackedDrone drone, TrackSample here, Way way) {
         TrackForecast whole = new TrackForecast(round.plane, seconds(drone, here, way), round.picture.now());
-        Track mine = way == Way.HOME ? whole.homeward(drone, here) : whole.mission(drone, here);
+        Track mine = setsOff(drone, here, way, whole);
         return round.picture.drones().stream()
                 .filter(other -> !other.id().equals(drone.id()))
                 .filter(other -> track(other)
@@ -58,17 +72,42 @@ final class FlightProof {
                 .findFirst();
     }
 
-    /** Those that rise by one plan are apart by it. */
+    /** Those that rise by one plan are apart by it, as long as they keep to its times. */
     private boolean meet(Track mine, Track yours, TrackedDrone drone, TrackedDrone other) {
-        boolean asPlanned = SeparationRound.isPlannedTogether(drone, other) && drone.step() == FlightIntent.Step.RISE;
+        boolean asPlanned = SeparationRound.isPlannedTogether(drone, other)
+                && drone.step() == FlightIntent.Step.RISE
+                && !isLate(drone)
+                && !isLate(other);
         Separation least = round.least(drone, other).plus(CORNER_METERS, 0);
-        return !asPlanned && mine.meets(yours, least, EARLY_OR_LATE_SECONDS, EARLY_OR_LATE_SHARE);
+        boolean rises = !drone.state().airborne() || !other.state().airborne();
+        double seconds = rises ? RISES_EARLY_OR_LATE_SECONDS : EARLY_OR_LATE_SECONDS;
+        return !asPlanned && mine.meets(yours, least, seconds, EARLY_OR_LATE_SHARE);
+    }
+
+    /** It had to wait for others, on the ground or in the air. */
+    private boolean isLate(TrackedDrone drone) {
+        Yielding own = round.yielding(drone);
+        return own != null
+                && !own.to().equals(drone.id())
+                && own.lasting(round.picture.now()).compareTo(AT_ONCE) > 0;
     }
 
     private double seconds(TrackedDrone drone, TrackSample here, Way way) {
         double seconds =
                 way == Way.HOME ? round.far.homewardSeconds(drone, here) : round.far.missionSeconds(drone, here);
-        return Math.min(LONGEST_SECONDS, seconds);
+        return Math.min(LONGEST_SECONDS, seconds + setsOffAfter(drone));
+    }
+
+    private static double setsOffAfter(TrackedDrone drone) {
+        if (drone.state().airborne()) {
+            return GOES_AFTER_SECONDS;
+        }
+        return Boolean.TRUE.equals(drone.state().armed()) ? ARMED_RISES_AFTER_SECONDS : RISES_AFTER_SECONDS;
+    }
+
+    private static Track setsOff(TrackedDrone drone, TrackSample here, Way way, TrackForecast whole) {
+        Track track = way == Way.HOME ? whole.homeward(drone, here) : whole.mission(drone, here);
+        return track.after(Track.strides(setsOffAfter(drone)));
     }
 
     /** Empty: it flies no way that is known to its end. */
@@ -83,8 +122,10 @@ final class FlightProof {
     }
 
     private Function<TrackForecast, Track> flown(TrackedDrone other, TrackSample here, Way way) {
-        double speed = settingOff.containsKey(other.id()) ? 0 : other.speed();
-        return whole -> way == Way.HOME ? whole.homeward(other, here) : whole.mission(other, here, 0, speed);
+        if (settingOff.containsKey(other.id())) {
+            return whole -> setsOff(other, here, way, whole);
+        }
+        return whole -> way == Way.HOME ? whole.homeward(other, here) : whole.mission(other, here, 0, other.speed());
     }
 
     private @Nullable Way way(TrackedDrone other) {

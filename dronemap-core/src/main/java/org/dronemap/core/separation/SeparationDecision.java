@@ -20,9 +20,10 @@ public record SeparationDecision(
         silent = Map.copyOf(silent);
     }
 
-    /** What operations are shown. */
+    /** What operations are shown: whoever waited on the ground, and may rise now, waits for nobody. */
     public Map<DroneId, GiveWay> giveWays() {
         return yielding.entrySet().stream()
+                .filter(entry -> !entry.getValue().mayRise())
                 .collect(Collectors.toUnmodifiableMap(
                         Map.Entry::getKey, entry -> entry.getValue().give()));
     }

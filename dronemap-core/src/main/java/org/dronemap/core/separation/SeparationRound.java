@@ -51,7 +51,7 @@ final class SeparationRound {
 
     SeparationRound(AirspacePicture picture, Map<DroneId, Yielding> before) {
         this.picture = picture;
-        this.planned = picture.least().plus(ROOM_METERS, -WANDER_METERS);
+        this.planned = picture.least().plus(ROOM_METERS, 0);
         this.unplanned = picture.least().plus(ROOM_METERS, 2 * WANDER_METERS);
         this.plane = new LocalPlane(picture.drones().stream()
                 .flatMap(drone -> Optional.ofNullable(drone.point()).stream())

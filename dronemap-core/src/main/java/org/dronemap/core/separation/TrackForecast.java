@@ -21,6 +21,8 @@ final class TrackForecast {
     static final int STRIDES_TO_STAND = 5;
     /** Vehicles that were told no other height climb to this before they fly home, in m over it. */
     private static final double RETURN_METERS = 15;
+    /** At the top of its take-off, until it has gathered itself for what comes next. */
+    private static final double TAKE_OFF_ENDS_SECONDS = 2;
     /** Beyond that an order may not have arrived. */
     private static final Duration UNTIL_OBEYED = Duration.ofMillis(1_500);
     /** Slower over the ground than this it stands. */
@@ -158,6 +160,7 @@ final class TrackForecast {
                     double home = drone.homeAmslMeters().orElse(walk.last().low());
                     walk.to(new TrackSample(
                             walk.last().spot(), Math.max(walk.last().high(), home + top)));
+                    walk.waitFor(TAKE_OFF_ENDS_SECONDS);
                 }
                 case WAIT -> walk.waitFor(((MissionItem.Wait) item).seconds());
                 case LAND -> land(walk, drone, ((MissionItem.Land) item).place());

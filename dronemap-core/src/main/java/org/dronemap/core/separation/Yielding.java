@@ -40,6 +40,12 @@ public record Yielding(
         return new Yielding(give, give.since(), give.since(), true, null, null, null);
     }
 
+    /** It rises, and is in nobody's way. */
+    static Yielding toNobody(TrackedDrone drone, Instant now) {
+        GiveWay give = new GiveWay(drone.id(), drone.name(), GiveWay.Manner.WAIT, now, true, null);
+        return new Yielding(give, now, now, false, null, now, null);
+    }
+
     DroneId to() {
         return give.to();
     }
@@ -53,6 +59,11 @@ public record Yielding(
         return give.manner() != GiveWay.Manner.WAIT;
     }
 
+    /** It waited on the ground, and is let go. */
+    boolean mayRise() {
+        return !isOrdered() && give.clear();
+    }
+
     Yielding mayGoOn(Instant now) {
         Instant free = clearSince == null ? now : clearSince;
         return new Yielding(give.withClear(true), since, busyUntil, stood, aside, free, null);
@@ -64,7 +75,11 @@ public record Yielding(
 
     /** It may go on, and does so in the next moments: others count with it. */
     boolean isSettingOff(Instant now) {
-        return clearSince != null && Duration.between(clearSince, now).compareTo(UNTIL_SEEN) <= 0;
+        return wasLetGoWithin(UNTIL_SEEN, now);
+    }
+
+    boolean wasLetGoWithin(Duration lately, Instant now) {
+        return clearSince != null && Duration.between(clearSince, now).compareTo(lately) <= 0;
     }
 
     Yielding seenStanding() {

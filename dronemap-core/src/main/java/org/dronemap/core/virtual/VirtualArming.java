@@ -12,6 +12,9 @@ import org.dronemap.core.drone.DroneState;
 
 /** Arms the drone of a virtual drone's run, and waits for one that cannot be armed yet. */
 final class VirtualArming {
+    /** By then it was seen whether another drone is in the way of its flight. */
+    private static final Duration UNTIL_LOOKED = Duration.ofSeconds(1);
+
     private VirtualArming() {}
 
     static VirtualRunStep next(
@@ -33,7 +36,12 @@ final class VirtualArming {
         boolean refusedJustNow = run.detail() != null
                 && assignment.command() == null
                 && Duration.between(assignment.changedAt(), sight.now()).compareTo(ArmingRetry.PAUSE) < 0;
-        return refusedJustNow ? VirtualRunStep.unchanged(run) : VirtualRunStep.send(run, order(drone));
+        boolean wait = refusedJustNow || !wasLookedAt(run, sight);
+        return wait ? VirtualRunStep.unchanged(run) : VirtualRunStep.send(run, order(drone));
+    }
+
+    private static boolean wasLookedAt(VirtualRun run, VirtualRunObservation sight) {
+        return Duration.between(run.changedAt(), sight.now()).compareTo(UNTIL_LOOKED) >= 0;
     }
 
     /** From when it came to be armed on. */

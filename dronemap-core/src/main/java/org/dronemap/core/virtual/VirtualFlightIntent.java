@@ -14,13 +14,16 @@ public final class VirtualFlightIntent {
     public static Optional<FlightIntent> of(VirtualRun run, VirtualRunAssignment assignment) {
         return switch (run.stage()) {
             case ARMING, STARTING ->
-                Optional.of(intent(FlightIntent.Step.RISE, mission(run, assignment), assignment)
-                        .goingOnAlone(run.onCloudLoss() == MissionCloudLossPolicy.CONTINUE));
-            case FLYING -> Optional.of(intent(FlightIntent.Step.FLY, List.of(), assignment));
+                Optional.of(onMission(run, intent(FlightIntent.Step.RISE, mission(run, assignment), assignment)));
+            case FLYING -> Optional.of(onMission(run, intent(FlightIntent.Step.FLY, List.of(), assignment)));
             case RETURNING, STOPPING, GIVING_UP ->
                 Optional.of(intent(FlightIntent.Step.COME_HOME, List.of(), assignment));
             case QUEUED, UPLOADING, SUSPENDED, DONE, STOPPED, FAILED -> Optional.empty();
         };
+    }
+
+    private static FlightIntent onMission(VirtualRun run, FlightIntent intent) {
+        return intent.goingOnAlone(run.onCloudLoss() == MissionCloudLossPolicy.CONTINUE);
     }
 
     private static List<MissionItem> mission(VirtualRun run, VirtualRunAssignment assignment) {

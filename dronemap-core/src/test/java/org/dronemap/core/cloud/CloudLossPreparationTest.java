@@ -12,6 +12,7 @@ import org.dronemap.core.command.SetReturnHeight;
 import org.dronemap.core.drone.CloudLossState;
 import org.dronemap.core.drone.DroneKey;
 import org.dronemap.core.drone.FlightPhase;
+import org.dronemap.core.drone.ReturnHeight;
 import org.dronemap.core.event.DroneEvent;
 import org.dronemap.core.lease.LeaseEvent;
 import org.junit.jupiter.api.Test;
@@ -164,6 +165,23 @@ class CloudLossPreparationTest extends CloudLossTestBase {
         next.gate().submit(ANN, link.id(), id("arm-00002"), new Command.Arm());
 
         assertThat(rule(SetCloudLossAction.class).kept()).containsExactly(VALUE);
+    }
+
+    @Test
+    void knowsHowHighItFliesHomeAfterACrashToo() {
+        wasUsed();
+        assertThat(returnHeight(cloud)).isEqualTo(new ReturnHeight(15, 15));
+
+        hear(new DroneEvent.ReturnHeightSet(new ReturnHeight(40, 15)));
+        assertThat(shown().returnMeters()).isEqualTo(40);
+
+        CloudManager next = cloud();
+        link = bound(next);
+        assertThat(returnHeight(next)).isEqualTo(new ReturnHeight(40, 40));
+    }
+
+    private ReturnHeight returnHeight(CloudManager at) {
+        return at.drone(link.id()).orElseThrow().returnHeight();
     }
 
     @Test

@@ -30,6 +30,7 @@ class ParameterRestoreTest extends CloudLossTestBase {
         until(owners.kept::isEmpty);
 
         assertThat(shown()).isEqualTo(CloudLossState.UNKNOWN);
+        assertThat(cloud.drone(link.id()).orElseThrow().returnHeight()).isNull();
         arms("arm-00002");
         rule(SetCloudLossAction.class);
     }

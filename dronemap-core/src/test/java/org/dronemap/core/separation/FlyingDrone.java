@@ -126,7 +126,7 @@ final class FlyingDrone {
                 handling,
                 operation,
                 new GroundVelocity(eastward, northward),
-                FlightPace.of(VehicleKind.MULTICOPTER));
+                new FlightPace(8, 2.5, 1.5, 2.5));
     }
 
     private DroneState state() {

@@ -18,6 +18,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Drones of different owners that would come too near to each other. */
 class SeparationGuardTest {
     private Map<DroneId, Yielding> yielding = Map.of();
+    private Map<DroneId, GiveWay> giveWays = Map.of();
     private Instant now = FlyingDrone.NOW;
     private List<SeparationOrder> orders = List.of();
 
@@ -26,6 +27,7 @@ class SeparationGuardTest {
                 now, Stream.of(drones).map(FlyingDrone::seen).toList(), Separation.USUAL, (drone, there) -> true);
         SeparationDecision decision = SeparationGuard.decide(picture, yielding);
         yielding = decision.yielding();
+        giveWays = decision.giveWays();
         orders = decision.orders();
         return this;
     }
@@ -95,12 +97,12 @@ class SeparationGuardTest {
         FlyingDrone first = new FlyingDrone("a", 0, 0).risesTo(0, 100, 20);
         FlyingDrone second = new FlyingDrone("b", 5, 0).risesTo(5, 100, 20);
         look(first, second);
-        assertThat(yielding).containsOnlyKeys(second.id);
+        assertThat(giveWays).containsOnlyKeys(second.id);
         assertThat(give(second).manner()).isEqualTo(GiveWay.Manner.WAIT);
 
         first.armed = true;
         look(first, second);
-        assertThat(yielding).containsOnlyKeys(second.id);
+        assertThat(giveWays).containsOnlyKeys(second.id);
 
         first.airborne = true;
         first.mode = "AUTO";
@@ -109,7 +111,7 @@ class SeparationGuardTest {
         first.to(0, 300, 20);
         first.step = FlightIntent.Step.FLY;
         look(first, second);
-        assertThat(yielding).isEmpty();
+        assertThat(giveWays).isEmpty();
     }
 
     @Test
@@ -181,7 +183,7 @@ class SeparationGuardTest {
 
         one.mode = "AUTO";
         look(one, passed);
-        assertThat(yielding).isEmpty();
+        assertThat(giveWays).isEmpty();
     }
 
     @Test
@@ -260,19 +262,19 @@ class SeparationGuardTest {
     @ValueSource(strings = {"another's", "of its own plan", "later", "later and alone", "much later and alone"})
     void doesNotSetOffForWhereItWouldMeetAMissionLongAfterwards(String whose) {
         FlyingDrone one = new FlyingDrone("a", 0, -400).risesTo(0, 400, 20);
-        FlyingDrone other = new FlyingDrone("b", -480, 0).to(500, 0, 20);
+        FlyingDrone other = new FlyingDrone("b", -550, 0).to(500, 0, 20);
         if (whose.equals("of its own plan")) {
             other.operation = one.operation;
         }
         one.goesOnAlone = whose.endsWith("alone");
-        now = now.plusSeconds(whose.startsWith("later") ? 60 : whose.startsWith("much") ? 90 : 0);
+        now = now.plusSeconds(whose.startsWith("later") ? 60 : whose.startsWith("much") ? 600 : 0);
         look(one, other);
         if (whose.equals("another's") || whose.equals("later and alone")) {
             assertThat(give(one).manner()).isEqualTo(GiveWay.Manner.WAIT);
             other.east = -100;
             look(one, other);
         }
-        assertThat(yielding).isEmpty();
+        assertThat(giveWays).isEmpty();
     }
 
     /** It stands longer than the one that it gave way to needs, if it would meet another one later. */

@@ -45,6 +45,7 @@ class VirtualGivingWayTest {
         assertThat(step(null)).isNull();
         assertThat(run.note()).contains("waits on the ground");
         giveWay = null;
+        now = now.plusSeconds(1);
         assertThat(step(null)).isInstanceOf(Command.Arm.class);
     }
 

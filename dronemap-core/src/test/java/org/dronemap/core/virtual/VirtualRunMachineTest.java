@@ -32,7 +32,7 @@ class VirtualRunMachineTest {
     @Test
     void uploadsArmsStartsAndComesBack() {
         assertThat(sent(null)).isEqualTo(new Command.UploadMission(share().mission()));
-        assertThat(sent(new Outcome.Succeeded())).isEqualTo(new Command.Arm());
+        assertThat(sentWhenLookedAt()).isEqualTo(new Command.Arm());
         drone.armed = true;
         assertThat(sent(new Outcome.Succeeded())).isInstanceOf(Command.StartMission.class);
         drone.flies().carries(share(), 0);
@@ -57,8 +57,7 @@ class VirtualRunMachineTest {
     void changesToAModeInWhichItCanBeArmedFirst() {
         drone.mode = "RTL";
         sent(null);
-
-        assertThat(sent(new Outcome.Succeeded())).isEqualTo(new Command.SetMode("GUIDED"));
+        assertThat(sentWhenLookedAt()).isEqualTo(new Command.SetMode("GUIDED"));
         drone.mode = "GUIDED";
         assertThat(sent(new Outcome.Succeeded())).isEqualTo(new Command.Arm());
     }
@@ -207,11 +206,10 @@ class VirtualRunMachineTest {
     }
 
     @Test
-    void armsAtOnceAgainWhatWasDisarmedBeforeItStarted() {
+    void armsAgainWhatWasDisarmedBeforeItStarted() {
         getReadyToStart();
         drone.armed = false;
-
-        assertThat(sent(new Outcome.Succeeded())).isEqualTo(new Command.Arm());
+        assertThat(sentWhenLookedAt()).isEqualTo(new Command.Arm());
         assertThat(run.stage()).isEqualTo(VirtualRunStage.ARMING);
         assertThat(run.note()).isEqualTo("It was disarmed before it started.");
         drone.armed = true;
@@ -223,7 +221,7 @@ class VirtualRunMachineTest {
         getReadyToStart();
         for (int time = 1; time < 3; time++) {
             drone.armed = false;
-            assertThat(sent(new Outcome.Succeeded())).isEqualTo(new Command.Arm());
+            assertThat(sentWhenLookedAt()).isEqualTo(new Command.Arm());
             drone.armed = true;
             assertThat(sent(new Outcome.Succeeded())).isInstanceOf(Command.StartMission.class);
         }
@@ -372,6 +370,13 @@ class VirtualRunMachineTest {
             }
         }
         return command;
+    }
+
+    /** Whether another drone is in its way is seen first. */
+    private @Nullable Command sentWhenLookedAt() {
+        assertThat(sent(new Outcome.Succeeded())).isNull();
+        now = now.plusSeconds(1);
+        return sent(null);
     }
 
     private VirtualRunStep step(@Nullable Outcome outcome) {

@@ -25,6 +25,7 @@ import org.jspecify.annotations.Nullable;
 /** Keeps the vehicles of a test bench apart, as the conductor of separation does. */
 final class TestAirspace {
     private Map<DroneId, Yielding> yielding = Map.of();
+    private Map<DroneId, GiveWay> giveWays = Map.of();
 
     List<SeparationOrder> look(
             Instant now, Map<DroneId, FlightIntent> intents, OperationObservation scene, Separation least) {
@@ -41,23 +42,24 @@ final class TestAirspace {
                     held ? Handling.COMMANDED : Handling.FOREIGN,
                     held ? "run" : null,
                     GroundVelocity.NONE,
-                    FlightPace.of(seen.state().identification().kind())));
+                    FlightPace.of(seen.state().identification())));
         }
         SeparationDecision decision =
                 SeparationGuard.decide(new AirspacePicture(now, drones, least, (drone, there) -> true), yielding);
         yielding = decision.yielding();
+        giveWays = decision.giveWays();
         return decision.orders();
     }
 
     @Nullable
     GiveWay giveWay(DroneId drone) {
-        Yielding one = yielding.get(drone);
-        return one == null ? null : one.give();
+        return giveWays.get(drone);
     }
 
     /** It has been told to make room for the other one, which takes it so long. */
     void makesRoom(DroneId drone, DroneId other, Instant now, long seconds) {
         GiveWay give = new GiveWay(other, "Drone " + other, GiveWay.Manner.MOVE, now, false, "climbs 6 m");
         yielding = Map.of(drone, new Yielding(give, now, now.plusSeconds(seconds), true, null, null, null));
+        giveWays = Map.of(drone, give);
     }
 }
