@@ -229,23 +229,29 @@ def _nearest_pass(tracks: Iterable[Sequence[State]], waypoint: dict[str, Any]) -
 
 
 def judge_times(tracks: Tracks, operations: list[dict[str, Any]]) -> tuple[list[str], float]:
-    """Operations that were down too late or not at all, and the longest time as a multiple of that alone."""
-    late, longest = [], 0.0
+    """Operations that are not down at all, everybody if too late, and that time by the undisturbed one.
+
+    That is from the first beginning until the last operation would have been over, had each flown alone.
+    """
+    late: list[str] = []
+    ends: list[float] = []
     for operation in operations:
-        ends = {vehicle: down_since(tracks[vehicle]) for vehicle in operation["vehicles"]}
-        up = [vehicle for vehicle, end in ends.items() if end is None]
+        downs = {vehicle: down_since(tracks[vehicle]) for vehicle in operation["vehicles"]}
+        up = [vehicle for vehicle, down in downs.items() if down is None]
         if up:
             late.append(f"{operation['name']}: {', '.join(up)} still up at the end")
-            longest = math.inf
-            continue
-        flown = max((end for end in ends.values() if end is not None), default=0.0) - operation["begins"]
-        alone = operation["undisturbed"]
-        if alone is None:
-            continue
-        longest = max(longest, flown / alone)
-        if flown > TIME_FACTOR * alone + TIME_SLACK_SECONDS:
-            late.append(f"{operation['name']}: {flown:.1f} s instead of {alone:.1f} s alone")
-    return late, longest
+        ends += [down for down in downs.values() if down is not None]
+    if late:
+        return late, math.inf
+    timed = [one for one in operations if one["undisturbed"] is not None]
+    if len(timed) < len(operations) or not ends:
+        return [], 0.0
+    first = min(one["begins"] for one in timed)
+    alone = max(one["begins"] + one["undisturbed"] for one in timed) - first
+    flown = max(ends) - first
+    if flown > TIME_FACTOR * alone + TIME_SLACK_SECONDS:
+        late.append(f"everybody down after {flown:.1f} s instead of {alone:.1f} s undisturbed")
+    return late, flown / alone
 
 
 def down_since(track: Sequence[State]) -> float | None:

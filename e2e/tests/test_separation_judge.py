@@ -111,13 +111,17 @@ def test_waypoint_has_to_be_passed_within_two_metres() -> None:
 
 
 def test_who_is_down_too_late_or_not_at_all_is_found() -> None:
-    """Of the judge alone: half as long again as alone, and 30 s."""
+    """Of the judge alone: half as long again as undisturbed, and 30 s, for everybody together."""
     assert judged({"a": standing(0, 20, steps=329)}).result == "ok"
     late = judged({"a": standing(0, 20, steps=331)})
-    assert late.late == ["run: 33.1 s instead of 2.0 s alone"]
+    assert late.late == ["everybody down after 33.1 s instead of 2.0 s undisturbed"]
     assert round(late.factor, 2) == 16.55
     assert judged({"a": standing(0, 20, steps=331)}, operation(["a"], begins=1.0)).result == "ok"
     assert judged({"a": standing(0, 20, steps=331)}, operation(["a"], undisturbed=None)).result == "ok"
+    both = {"a": standing(0, 20, steps=331), "b": standing(300, 20)}
+    later = operation(["b"], begins=0.5)
+    together = judged(both, operation(["a"]), later)
+    assert (together.result, round(together.factor, 2)) == ("ok", 13.24)
     up = judged({"a": standing(0, 20)[:-1]}, operation(["a"], undisturbed=None))
     assert up.late == ["run: a still up at the end"]
     assert math.isinf(up.factor)

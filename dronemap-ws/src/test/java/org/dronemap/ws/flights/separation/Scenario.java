@@ -88,7 +88,7 @@ enum Scenario {
 
         @Override
         double side() {
-            return 200;
+            return 300;
         }
 
         @Override
