@@ -21,6 +21,7 @@ import org.dronemap.core.drone.IdentityTrust;
 import org.dronemap.core.drone.LinkReport;
 import org.dronemap.core.drone.LinkState;
 import org.dronemap.core.drone.LinkStatus;
+import org.dronemap.core.drone.ReturnHeight;
 import org.dronemap.core.drone.Severity;
 import org.dronemap.core.event.DroneEvent;
 import org.jspecify.annotations.Nullable;
@@ -264,9 +265,11 @@ final class ManagedDrone implements Lane.TimedTask {
         }
         received();
         String mode = drone.state().mode();
+        ReturnHeight before = drone.state().returnHeight();
         drone.apply(event);
-        if (event instanceof DroneEvent.ReturnHeightSet set) {
-            preparation.returnsAt(set.height().meters());
+        ReturnHeight height = drone.state().returnHeight();
+        if (height != null && !height.equals(before)) {
+            preparation.returnsAt(height.meters());
         }
         if (!Objects.equals(mode, drone.state().mode())) {
             // Who has chosen that mode is seen before anybody acts on it.

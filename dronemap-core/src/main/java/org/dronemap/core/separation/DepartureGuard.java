@@ -105,10 +105,10 @@ final class DepartureGuard {
     private boolean isSettingOff(TrackedDrone drone) {
         Yielding own = round.yielding(drone);
         boolean isToldTo = drone.step() == FlightIntent.Step.GO_ON && drone.isCommanded();
-        return isToldTo || (own != null && isTold(own));
+        return isToldTo || (own != null && mayGo(own));
     }
 
-    private boolean isTold(Yielding own) {
+    private boolean mayGo(Yielding own) {
         return own.give().clear() && own.wasLetGoWithin(LONGEST_GOING, round.picture.now());
     }
 
@@ -267,7 +267,7 @@ final class DepartureGuard {
     }
 
     private void checkStand(TrackedDrone drone, TrackSample here, Yielding own) {
-        if (own.give().clear() && !isTold(own)) {
+        if (own.give().clear() && !mayGo(own)) {
             // Others first.
             round.yielding.put(drone.id(), own.mayNotGoOn());
             return;
@@ -299,7 +299,7 @@ final class DepartureGuard {
     /** Who was told already that it may go on stays told. */
     private boolean isProved(TrackedDrone drone, TrackSample here, Yielding own, boolean home) {
         Instant now = round.picture.now();
-        return isTold(own)
+        return mayGo(own)
                 || own.lasting(now).compareTo(longestStand(drone)) > 0
                 || proof.meets(drone, here, home ? FlightProof.Way.HOME : FlightProof.Way.MISSION)
                         .isEmpty();

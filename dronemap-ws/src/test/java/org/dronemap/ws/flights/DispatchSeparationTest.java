@@ -46,16 +46,22 @@ class DispatchSeparationTest {
                 || Math.abs(one.height() - other.height()) >= LEAST_HEIGHT;
     }
 
+    /** Bob's drone, at the height to which the other one, that may be sent, rises. */
+    private static Pilot hoversAbove(Laboratory lab, LabDrone above, LabDrone sent) {
+        lends(lab, lab.pilot("chief", Role.SUPERVISOR), sent);
+        Pilot bob = lab.pilot("bob", Role.OPERATOR);
+        bob.takesOff(above, HEIGHT).fliesTo(above, sent.place(0, 0), HEIGHT);
+        lab.until("it hovers above the other", WAY, () -> above.distanceTo(sent.where()) < 2);
+        return bob;
+    }
+
     @Test
     void aTakeOffThatAnotherDroneBlocksWaitsAndThenGoes() {
         try (Laboratory lab = new Laboratory(1)) {
             List<LabDrone> copters = lab.copters(2);
             LabDrone sent = copters.get(0);
             LabDrone above = copters.get(1);
-            lends(lab, lab.pilot("chief", Role.SUPERVISOR), sent);
-            Pilot bob = lab.pilot("bob", Role.OPERATOR);
-            bob.takesOff(above, HEIGHT).fliesTo(above, sent.place(0, 0), HEIGHT);
-            lab.until("it hovers above the other", WAY, () -> above.distanceTo(sent.where()) < 2);
+            Pilot bob = hoversAbove(lab, above, sent);
             lab.goOn(Duration.ofSeconds(10));
 
             Pilot ann = lab.pilot("ann", Role.OPERATOR);
@@ -78,10 +84,7 @@ class DispatchSeparationTest {
             List<LabDrone> copters = lab.copters(2);
             LabDrone sent = copters.get(0);
             LabDrone above = copters.get(1);
-            lends(lab, lab.pilot("chief", Role.SUPERVISOR), sent);
-            Pilot bob = lab.pilot("bob", Role.OPERATOR);
-            bob.takesOff(above, HEIGHT).fliesTo(above, sent.place(0, 0), HEIGHT);
-            lab.until("it hovers above the other", WAY, () -> above.distanceTo(sent.where()) < 2);
+            Pilot bob = hoversAbove(lab, above, sent);
             var unused = bob.takesControl(above);
 
             Pilot ann = lab.pilot("ann", Role.OPERATOR);

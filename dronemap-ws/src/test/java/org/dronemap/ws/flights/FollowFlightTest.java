@@ -223,14 +223,19 @@ class FollowFlightTest {
         return true;
     }
 
+    private Pilot hoversAbove(LabDrone above, LabDrone other) {
+        Pilot bob = lab.pilot("bob", Role.OPERATOR);
+        bob.takesOff(above, 15).fliesTo(above, other.place(0, 0), 15);
+        lab.until("it hovers above the other", Duration.ofMinutes(1), () -> above.distanceTo(other.where()) < 2);
+        return bob;
+    }
+
     @Test
     void aTakeOffThatAnotherDroneBlocksWaitsAndThenGoes() {
         List<LabDrone> copters = lab.copters(2);
         LabDrone follows = copters.get(0);
         LabDrone above = copters.get(1);
-        Pilot bob = lab.pilot("bob", Role.OPERATOR);
-        bob.takesOff(above, 15).fliesTo(above, follows.place(0, 0), 15);
-        lab.until("it hovers above the other", Duration.ofMinutes(1), () -> above.distanceTo(follows.where()) < 2);
+        Pilot bob = hoversAbove(above, follows);
         lab.goOn(Duration.ofSeconds(10));
 
         SimulatedPhone phone = lab.phone(lab.pilot("ann", Role.OPERATOR), follows, -40, -40);
@@ -248,9 +253,7 @@ class FollowFlightTest {
         List<LabDrone> copters = lab.copters(2);
         LabDrone follows = copters.get(0);
         LabDrone above = copters.get(1);
-        Pilot bob = lab.pilot("bob", Role.OPERATOR);
-        bob.takesOff(above, 15).fliesTo(above, follows.place(0, 0), 15);
-        lab.until("it hovers above the other", Duration.ofMinutes(1), () -> above.distanceTo(follows.where()) < 2);
+        Pilot bob = hoversAbove(above, follows);
 
         SimulatedPhone phone = lab.phone(lab.pilot("ann", Role.OPERATOR), follows, -40, -40);
         phone.asks(follows, south(5, 10), 60).starts();

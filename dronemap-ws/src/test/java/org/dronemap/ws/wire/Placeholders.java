@@ -31,7 +31,7 @@ final class Placeholders {
             Pattern.compile("(dronemap-session)=" + VALUE + ";"));
     /** Members that are measured, or counted by clocks. */
     private static final Pattern MEASURED = Pattern.compile(
-            "(\"(?:uptimeSeconds|seconds|sequence|written|journal|latencyMillis|version|epoch|retryAfterSeconds|rttMs)\" : |Retry-After: )-?[\\d.]+(?:E-?\\d+)?");
+            "(\"(?:uptimeSeconds|seconds|sequence|written|journal|latencyMillis|version|epoch|retryAfterSeconds|rttMs)\" : |Retry-After: |<version>)-?[\\d.]+(?:E-?\\d+)?");
 
     /** Of records that say when things happened. */
     private static final Pattern HASH = Pattern.compile("(?<=\"hash\" : \")[0-9a-f]{64}");

@@ -81,6 +81,18 @@ final class FlownTogether {
         return least;
     }
 
+    /** How many of them are in the air so many seconds after the first moment. */
+    long airborneAt(double second) {
+        return drones().stream().filter(drone -> isAirborne(drone, second)).count();
+    }
+
+    private boolean isAirborne(LabDrone drone, double second) {
+        long at = beganNanos + Math.round(second * NANOS);
+        return drone.track().since(at).stream()
+                .limit(1)
+                .anyMatch(fix -> fix.amsl() - drone.groundAmsl() > AIRBORNE_METERS);
+    }
+
     private static double leastShare(List<Spot> airborne) {
         double least = Double.POSITIVE_INFINITY;
         for (int one = 0; one < airborne.size(); one++) {

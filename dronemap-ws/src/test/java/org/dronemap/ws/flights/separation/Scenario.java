@@ -68,13 +68,13 @@ enum Scenario {
         }
     },
 
-    /** Five to eighteen drones: runs of two users, virtual drones, and a follow with every third seed. */
+    /** Seven to eighteen drones: runs of two users, virtual drones, and a follow with every third seed. */
     MIXED {
         @Override
         List<Party> parties(Ground ground) {
             List<Party> parties = new ArrayList<>();
-            parties.add(ground.run("run 1", Ground.Edge.SOUTH, 2 + ground.chance(4)));
-            parties.add(ground.run("run 2", Ground.Edge.EAST, 2 + ground.chance(4)));
+            parties.add(ground.run("run 1", Ground.Edge.SOUTH, 3 + ground.chance(3)));
+            parties.add(ground.run("run 2", Ground.Edge.EAST, 3 + ground.chance(3)));
             int virtuals = 1 + ground.chance(7);
             for (int number = 0; number < virtuals; number++) {
                 Ground.Edge edge = number % 2 == 0 ? Ground.Edge.NORTH : Ground.Edge.WEST;

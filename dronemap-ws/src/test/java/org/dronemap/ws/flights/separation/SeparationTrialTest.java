@@ -31,6 +31,8 @@ class SeparationTrialTest {
     private static final String KILLED = "killed-at-any-moment";
 
     private static final double FIRST_MOMENT = 5;
+    private static final int LEAST_UP = 5;
+    private static final int MOST_MOMENTS = 30;
     private static final double BEFORE = 8;
     private static final int MOMENTS = 100;
     private static final double TENTHS = 10;
@@ -77,13 +79,19 @@ class SeparationTrialTest {
         }
     }
 
-    /** Vehicles are left to themselves for good, or for a while. */
+    /** Vehicles are left to themselves for good, or for a while, while several of them are in the air. */
     private static FlownTogether killed(long seed) {
         SeparationFlight flight = SeparationFlight.of(Scenario.MIXED, seed);
         SplittableRandom chance = new SplittableRandom(seed);
         Disturbance how = chance.nextBoolean() ? Disturbance.KILLED : Disturbance.RESTARTED;
-        double moment = Math.round(chance.nextDouble(FIRST_MOMENT, flight.lastSecond()) * TENTHS) / TENTHS;
-        return flight.together(how, moment);
+        for (int attempt = 0; attempt < MOST_MOMENTS; attempt++) {
+            double moment = Math.round(chance.nextDouble(FIRST_MOMENT, flight.lastSecond()) * TENTHS) / TENTHS;
+            FlownTogether flown = flight.together(how, moment);
+            if (flown.airborneAt(moment) >= LEAST_UP) {
+                return flown;
+            }
+        }
+        throw new AssertionError(LEAST_UP + " of seed " + seed + " are never up at once");
     }
 
     private static void keep(FlownTogether flown, List<String> folders) {
