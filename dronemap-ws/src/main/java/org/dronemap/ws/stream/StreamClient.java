@@ -35,6 +35,7 @@ final class StreamClient implements StreamConnection {
     private final WebSocket socket;
     private final StreamClientOutbox outbox = new StreamClientOutbox();
     private final ConcurrentHashMap<StreamMessageSubject, Object> shown = new ConcurrentHashMap<>();
+    private volatile boolean greeted;
     private volatile boolean unsettled;
     private final long connectedNanos;
     private volatile long answeredNanos;
@@ -65,6 +66,16 @@ final class StreamClient implements StreamConnection {
     @Override
     public Optional<Principal> principal() {
         return caller().map(AuthenticatedCaller::principal);
+    }
+
+    /** Empty until it was greeted: the greeting comes before all news. */
+    Optional<Principal> listener() {
+        return greeted ? principal() : Optional.empty();
+    }
+
+    /** What it hears first is on its way to it. */
+    void setGreeted() {
+        greeted = true;
     }
 
     void admit(AuthenticatedCaller who) {

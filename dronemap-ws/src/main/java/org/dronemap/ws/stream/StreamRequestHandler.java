@@ -78,6 +78,7 @@ final class StreamRequestHandler {
             authentication.admit(caller);
             Principal principal = caller.principal();
             send(client, new StreamMessage.Hello(principal.name(), WireNames.camel(principal.role()), version));
+            client.setGreeted();
             welcomes.forEach(welcome -> {
                 StreamWelcome.Greeting first = welcome.greeting().apply(principal);
                 client.shown().putAll(first.sights());

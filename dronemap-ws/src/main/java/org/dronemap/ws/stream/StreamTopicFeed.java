@@ -64,7 +64,7 @@ final class StreamTopicFeed<T> implements StreamTopicSink<T> {
     public void publish(@Nullable T former, @Nullable T now) {
         Map<Object, String> written = new HashMap<>();
         for (StreamClient client : clients) {
-            Principal who = client.principal().orElse(null);
+            Principal who = client.listener().orElse(null);
             if (who != null
                     && !publish(client, who, now, written)
                     && former != null
@@ -133,7 +133,7 @@ final class StreamTopicFeed<T> implements StreamTopicSink<T> {
         }
         for (T thing : topic.atFirst().get()) {
             for (StreamClient client : some) {
-                client.principal().ifPresent(who -> settle(client, who, thing));
+                client.listener().ifPresent(who -> settle(client, who, thing));
             }
         }
     }
@@ -187,7 +187,7 @@ final class StreamTopicFeed<T> implements StreamTopicSink<T> {
         StreamMessageSubject subject = topic.about().subject(thing);
         Map<Object, String> written = new HashMap<>();
         for (StreamClient client : some) {
-            Principal who = client.principal().orElse(null);
+            Principal who = client.listener().orElse(null);
             Object sight = who == null ? null : sight(client, who, subject, thing);
             if (who == null || sight == null) {
                 continue;

@@ -32,6 +32,12 @@ class StreamTopicFeedTest {
     private final List<StreamClient> clients = List.of(anna, bert);
 
     private static StreamClient client(String user) {
+        StreamClient client = admitted(user);
+        client.setGreeted();
+        return client;
+    }
+
+    private static StreamClient admitted(String user) {
         WebSocket socket = (WebSocket) Proxy.newProxyInstance(
                 WebSocket.class.getClassLoader(), new Class<?>[] {WebSocket.class}, (p, m, a) -> {
                     throw new UnsupportedOperationException(m.getName());
@@ -63,6 +69,19 @@ class StreamTopicFeedTest {
         return client.outbox().drain().stream()
                 .map(text -> text.replaceAll(".*\"(?:user|id)\":\"(\\w+)\".*", "$1"))
                 .toList();
+    }
+
+    /** Otherwise what happens just then would come before the greeting. */
+    @Test
+    void tellsNothingToWhoIsNotGreetedYet() {
+        StreamClient early = admitted("early");
+        StreamTopicFeed<String> feed = feed(new StreamTopicRate.EveryChange());
+        feed.settle(List.of(early));
+        assertThat(heard(early)).isEmpty();
+
+        early.setGreeted();
+        feed.settle(List.of(early));
+        assertThat(heard(early)).containsExactly("a1");
     }
 
     @Test
