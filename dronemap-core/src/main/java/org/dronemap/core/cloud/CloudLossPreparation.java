@@ -221,7 +221,9 @@ final class CloudLossPreparation implements FlightPreparation {
         desk.kept(drone.id()).ifPresent(kept -> desk.written(kept, true));
         if (plan != null) {
             state = CloudLossMessages.set(plan, crossing);
-            drone.drone().returnsAt(plan.returnMeters());
+            if (plan.returnMeters() != null) {
+                drone.drone().returnsAt(plan.returnMeters());
+            }
             CloudLossMessages.notable(plan, crossing)
                     .ifPresent(sentence -> drone.publishMessage(Severity.NOTICE, sentence));
         }

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.BiFunction;
 import java.util.stream.Stream;
 import org.dronemap.core.drone.DroneId;
 import org.jspecify.annotations.Nullable;
@@ -67,17 +68,13 @@ final class DepartureGuard {
     void check() {
         // Who has set off already, or may in this moment, comes first.
         round.picture.drones().stream().filter(this::isSettingOff).forEach(this::goesNext);
-        round.picture.drones().stream().filter(DepartureGuard::rises).forEach(drone -> {
-            TrackSample here = round.far.here(drone);
-            departing.put(drone.id(), here == null ? List.of() : List.of(round.far.mission(drone, here)));
-            if (here != null) {
-                proof.counts(drone, FlightProof.Way.MISSION);
-            }
-        });
+        round.picture.drones().stream()
+                .filter(DepartureGuard::rises)
+                .forEach(drone -> risesNext(drone, this::straightUp));
         List<TrackedDrone> grounded = round.picture.drones().stream()
                 .filter(drone -> drone.step() == FlightIntent.Step.RISE && !rises(drone))
                 .toList();
-        grounded.stream().filter(this::wasLetGo).forEach(this::risesNext);
+        grounded.stream().filter(this::wasLetGo).forEach(drone -> risesNext(drone, this::up));
         grounded.forEach(this::checkTakeOff);
         round.picture.drones().stream().filter(DepartureGuard::isAboutToGoOn).forEach(this::checkDeparture);
         round.picture.drones().stream()
@@ -138,28 +135,32 @@ final class DepartureGuard {
         Instant now = round.picture.now();
         round.yielding.compute(drone.id(), (id, own) -> own == null ? Yielding.toNobody(drone, now) : own.mayGoOn(now));
         if (isUnderWay(drone)) {
-            risesNext(drone);
+            risesNext(drone, this::up);
         }
     }
 
-    private void risesNext(TrackedDrone drone) {
+    private void risesNext(TrackedDrone drone, BiFunction<TrackedDrone, TrackSample, List<Track>> ways) {
         TrackSample here = round.far.here(drone);
         if (here != null) {
-            departing.put(drone.id(), up(drone, here));
+            departing.put(drone.id(), ways.apply(drone, here));
             proof.counts(drone, FlightProof.Way.MISSION);
         }
     }
 
-    /** Whatever it takes to arm it. */
+    private List<Track> straightUp(TrackedDrone drone, TrackSample here) {
+        return List.of(round.far.mission(drone, here));
+    }
+
+    /** However long it takes to arm it. */
     private List<Track> up(TrackedDrone drone, TrackSample here) {
         Track at = round.far.mission(drone, here);
         return List.of(at, at.after(STRIDES_TO_ARM), at.after(2 * STRIDES_TO_ARM));
     }
 
-    /** In an earlier round: it may be armed in this moment. */
+    /** In an earlier round: it may be armed in this moment. One that waits is in nobody's way, whatever it is told. */
     private boolean wasLetGo(TrackedDrone drone) {
         Yielding own = round.yielding(drone);
-        return (drone.isCommanded() || (own != null && own.mayRise())) && isUnderWay(drone);
+        return (own == null ? drone.isCommanded() : own.mayRise()) && isUnderWay(drone);
     }
 
     /** On the ground a drone waits for free, but not for ever: in the air it is kept apart as well. */
@@ -279,9 +280,7 @@ final class DepartureGuard {
         Yielding next = clear ? own.mayGoOn(round.picture.now()) : own.mayNotGoOn();
         round.yielding.put(drone.id(), next);
         if (clear) {
-            if (next.isSettingOff(round.picture.now())) {
-                goesNext(drone, mine);
-            }
+            goesNext(drone, mine);
             return;
         }
         if (free) {

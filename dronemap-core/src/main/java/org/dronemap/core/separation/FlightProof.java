@@ -87,9 +87,7 @@ final class FlightProof {
     /** It had to wait for others, on the ground or in the air. */
     private boolean isLate(TrackedDrone drone) {
         Yielding own = round.yielding(drone);
-        return own != null
-                && !own.to().equals(drone.id())
-                && own.lasting(round.picture.now()).compareTo(AT_ONCE) > 0;
+        return own != null && own.hasWaited(drone.id(), AT_ONCE, round.picture.now());
     }
 
     private double seconds(TrackedDrone drone, TrackSample here, Way way) {

@@ -1,5 +1,6 @@
 package org.dronemap.core.separation;
 
+import java.time.Duration;
 import java.time.Instant;
 import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.stored.Stored;
@@ -22,6 +23,9 @@ public record GiveWay(
         Instant since,
         boolean clear,
         @Nullable String words) {
+    /** So long after an operation has said that its drone means to set off, it is shown whether another one is in its way. */
+    public static final Duration SHOWN_AFTER = Duration.ofSeconds(1);
+
     private static final String ANOTHER = "another drone";
 
     /** Manner of giving way. */

@@ -40,7 +40,7 @@ public record Yielding(
         return new Yielding(give, give.since(), give.since(), true, null, null, null);
     }
 
-    /** It rises, and is in nobody's way. */
+    /** It had to wait for nobody, and is let go. */
     static Yielding toNobody(TrackedDrone drone, Instant now) {
         GiveWay give = new GiveWay(drone.id(), drone.name(), GiveWay.Manner.WAIT, now, true, null);
         return new Yielding(give, now, now, false, null, now, null);
@@ -48,6 +48,11 @@ public record Yielding(
 
     DroneId to() {
         return give.to();
+    }
+
+    /** It had to wait, and longer than that. */
+    boolean hasWaited(DroneId self, Duration longest, Instant now) {
+        return !to().equals(self) && lasting(now).compareTo(longest) > 0;
     }
 
     boolean isBusy(Instant now) {
@@ -59,7 +64,7 @@ public record Yielding(
         return give.manner() != GiveWay.Manner.WAIT;
     }
 
-    /** It waited on the ground, and is let go. */
+    /** It is on the ground, and let go. */
     boolean mayRise() {
         return !isOrdered() && give.clear();
     }

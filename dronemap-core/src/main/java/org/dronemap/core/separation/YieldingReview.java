@@ -30,8 +30,8 @@ final class YieldingReview {
             return null;
         }
         if (!yielding.isOrdered()) {
-            // Asked for anew in each round as long as it means to set off.
-            return yielding;
+            // Asked for anew in each round as long as it means to set off; who has risen as it might is free.
+            return yielding.mayRise() && drone.state().airborne() ? null : yielding;
         }
         if (!drone.state().airborne()) {
             return null;

@@ -9,12 +9,10 @@ import org.dronemap.core.command.Command;
 import org.dronemap.core.command.Outcome;
 import org.dronemap.core.drone.Capabilities.Steering;
 import org.dronemap.core.drone.DroneState;
+import org.dronemap.core.separation.GiveWay;
 
 /** Arms the drone of a virtual drone's run, and waits for one that cannot be armed yet. */
 final class VirtualArming {
-    /** By then it was seen whether another drone is in the way of its flight. */
-    private static final Duration UNTIL_LOOKED = Duration.ofSeconds(1);
-
     private VirtualArming() {}
 
     static VirtualRunStep next(
@@ -41,7 +39,7 @@ final class VirtualArming {
     }
 
     private static boolean wasLookedAt(VirtualRun run, VirtualRunObservation sight) {
-        return Duration.between(run.changedAt(), sight.now()).compareTo(UNTIL_LOOKED) >= 0;
+        return Duration.between(run.changedAt(), sight.now()).compareTo(GiveWay.SHOWN_AFTER) >= 0;
     }
 
     /** From when it came to be armed on. */

@@ -2,30 +2,16 @@ package org.dronemap.core.separation;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.time.Instant;
 import java.util.Map;
-import java.util.stream.Stream;
 import org.dronemap.core.drone.DroneId;
 import org.junit.jupiter.api.Test;
 
 /** Whoever is about to set off counts as if it flew: its way is proved, and nobody sees yet that it takes it. */
-class LetGoTest {
-    private Map<DroneId, Yielding> yielding = Map.of();
-    private Map<DroneId, GiveWay> giveWays = Map.of();
-    private Instant now = FlyingDrone.NOW;
-
+class LetGoTest extends SeparationTestBase {
     /** They would meet a minute after both have set off. */
     private final FlyingDrone first = new FlyingDrone("a", 0, -400).risesTo(0, 400, 20);
 
     private final FlyingDrone second = new FlyingDrone("b", -400, 0).risesTo(400, 0, 20);
-
-    private void look(FlyingDrone... drones) {
-        AirspacePicture picture = new AirspacePicture(
-                now, Stream.of(drones).map(FlyingDrone::seen).toList(), Separation.USUAL, (drone, there) -> true);
-        SeparationDecision decision = SeparationGuard.decide(picture, yielding);
-        yielding = decision.yielding();
-        giveWays = decision.giveWays();
-    }
 
     @Test
     void countsBeforeItIsArmed() {
@@ -70,6 +56,30 @@ class LetGoTest {
         first.commanded = false;
         look(first, second);
         assertThat(giveWays).containsOnlyKeys(second.id);
+    }
+
+    /** One that is started by a plan is commanded from the first moment on, also while it waits. */
+    @Test
+    void doesNotCountWhileItWaitsItselfWhateverItIsCommanded() {
+        first.commanded = true;
+        FlyingDrone above = new FlyingDrone("c", 0, -400).stands("GUIDED");
+        look(first, above);
+        assertThat(giveWays).containsOnlyKeys(first.id);
+
+        now = now.plusMillis(250);
+        look(second, first, above);
+        assertThat(giveWays).containsOnlyKeys(first.id);
+    }
+
+    @Test
+    void isForgottenOnceItHasRisen() {
+        look(first);
+        assertThat(yielding).containsOnlyKeys(first.id);
+        first.armed = true;
+        first.airborne = true;
+        first.height = 5;
+        look(first);
+        assertThat(yielding).isEmpty();
     }
 
     /** Plans keep their drones apart by time as well: by theirs, not by that of one that had to wait. */

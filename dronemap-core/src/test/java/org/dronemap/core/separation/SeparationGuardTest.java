@@ -3,35 +3,18 @@ package org.dronemap.core.separation;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
-import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.stream.Stream;
 import org.dronemap.core.command.Command;
-import org.dronemap.core.drone.DroneId;
 import org.dronemap.core.drone.LinkState;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Drones of different owners that would come too near to each other. */
-class SeparationGuardTest {
-    private Map<DroneId, Yielding> yielding = Map.of();
-    private Map<DroneId, GiveWay> giveWays = Map.of();
-    private Instant now = FlyingDrone.NOW;
-    private List<SeparationOrder> orders = List.of();
-
-    private SeparationGuardTest look(FlyingDrone... drones) {
-        AirspacePicture picture = new AirspacePicture(
-                now, Stream.of(drones).map(FlyingDrone::seen).toList(), Separation.USUAL, (drone, there) -> true);
-        SeparationDecision decision = SeparationGuard.decide(picture, yielding);
-        yielding = decision.yielding();
-        giveWays = decision.giveWays();
-        orders = decision.orders();
-        return this;
-    }
-
+class SeparationGuardTest extends SeparationTestBase {
     private GiveWay give(FlyingDrone drone) {
         return Objects.requireNonNull(yielding.get(drone.id)).give();
     }
@@ -56,10 +39,10 @@ class SeparationGuardTest {
         FlyingDrone one = new FlyingDrone("a", -60, 0).to(60, 0, 20);
         FlyingDrone other = new FlyingDrone("b", 0, -60).to(0, 60, 20 + above);
         other.height = 20 + above;
-        assertThat(look(one, other).orders).isEmpty();
+        assertThat(look(one, other)).isEmpty();
         other.to(0, 60, 20 + above * 0.8);
         other.height = 20 + above * 0.8;
-        assertThat(look(one, other).orders).isNotEmpty();
+        assertThat(look(one, other)).isNotEmpty();
     }
 
     /** 9 m are enough where both count from one ground; the homes of these two lie 3 m apart in height, as they say. */
@@ -68,10 +51,10 @@ class SeparationGuardTest {
         FlyingDrone one = new FlyingDrone("a", -60, 0).to(60, 0, 20);
         FlyingDrone other = new FlyingDrone("b", 0, -60).to(0, 60, 29);
         other.height = 29;
-        assertThat(look(one, other).orders).isEmpty();
+        assertThat(look(one, other)).isEmpty();
         other.homeAmsl = FlyingDrone.GROUND + 3;
         other.height = 26;
-        assertThat(look(one, other).orders).isNotEmpty();
+        assertThat(look(one, other)).isNotEmpty();
     }
 
     @Test
@@ -89,7 +72,7 @@ class SeparationGuardTest {
         assertThat(give(own).words()).doesNotContain("Copter");
         own.height = 30;
         yielding = Map.of();
-        assertThat(look(own, hand).orders).isEmpty();
+        assertThat(look(own, hand)).isEmpty();
     }
 
     @Test
@@ -128,11 +111,11 @@ class SeparationGuardTest {
         silent.link = LinkState.LOST;
         silent.silence = Duration.ofSeconds(60);
         FlyingDrone successor = new FlyingDrone("a", 0, -50).to(0, 0, 20);
-        assertThat(look(successor, silent).orders).isNotEmpty();
+        assertThat(look(successor, silent)).isNotEmpty();
 
         yielding = Map.of();
         silent.silence = Duration.ofMinutes(46);
-        assertThat(look(successor, silent).orders).isEmpty();
+        assertThat(look(successor, silent)).isEmpty();
     }
 
     /** Its fail-safe brings it home within half a minute; somebody at the vehicle may have stopped it before. */
@@ -143,7 +126,7 @@ class SeparationGuardTest {
         silent.link = LinkState.LOST;
         silent.silence = Duration.ofSeconds(40);
         FlyingDrone successor = new FlyingDrone("a", 50, 24).to(0, 24, 20);
-        assertThat(look(successor, silent).orders).isNotEmpty();
+        assertThat(look(successor, silent)).isNotEmpty();
     }
 
     @Test
@@ -167,11 +150,6 @@ class SeparationGuardTest {
                 .satisfies(order -> assertThat(order.why()).contains("to make room for Copter a"));
     }
 
-    private static Yielding stood(FlyingDrone to) {
-        return Yielding.restored(
-                new GiveWay(to.id, "Copter " + to.id, GiveWay.Manner.STOP, FlyingDrone.NOW, false, null));
-    }
-
     @Test
     void whoGaveWayIsShownThatItIsClearAndForgottenOnceItGoesOn() {
         FlyingDrone one = new FlyingDrone("a", 0, 0).stands("GUIDED");
@@ -192,13 +170,13 @@ class SeparationGuardTest {
         FlyingDrone fallen = new FlyingDrone("b", 0, 0).stands("AUTO");
         fallen.step = FlightIntent.Step.LIE;
         fallen.handling = Handling.FOREIGN;
-        assertThat(look(one, fallen).orders).isEmpty();
+        assertThat(look(one, fallen)).isEmpty();
         fallen.northward = -5;
-        assertThat(look(one, fallen).orders).as("it flies after all").isNotEmpty();
+        assertThat(look(one, fallen)).as("it flies after all").isNotEmpty();
         yielding = Map.of();
         fallen.link = LinkState.LOST;
         fallen.silence = Duration.ofSeconds(30);
-        assertThat(look(one, fallen).orders).isEmpty();
+        assertThat(look(one, fallen)).isEmpty();
     }
 
     /** Where it goes is known: it is not told to go less far meanwhile, as one that would stop here. */

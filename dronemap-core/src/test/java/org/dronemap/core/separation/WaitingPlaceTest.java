@@ -2,34 +2,14 @@ package org.dronemap.core.separation;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.time.Instant;
-import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.stream.Stream;
 import org.dronemap.core.command.Command;
 import org.dronemap.core.drone.DroneId;
 import org.junit.jupiter.api.Test;
 
 /** Where a drone stands that gives way: nobody may be there any more to move it out of the next one's way. */
-class WaitingPlaceTest {
-    private Map<DroneId, Yielding> yielding = Map.of();
-    private Instant now = FlyingDrone.NOW;
-    private List<SeparationOrder> orders = List.of();
-
-    private void look(FlyingDrone... drones) {
-        AirspacePicture picture = new AirspacePicture(
-                now, Stream.of(drones).map(FlyingDrone::seen).toList(), Separation.USUAL, (drone, there) -> true);
-        SeparationDecision decision = SeparationGuard.decide(picture, yielding);
-        yielding = decision.yielding();
-        orders = decision.orders();
-    }
-
-    private static Yielding stood(FlyingDrone to) {
-        return Yielding.restored(
-                new GiveWay(to.id, "Copter " + to.id, GiveWay.Manner.STOP, FlyingDrone.NOW, false, null));
-    }
-
+class WaitingPlaceTest extends SeparationTestBase {
     @Test
     void ofTwoThatCrossTheOneWaitsThatStandsInNobodysWay() {
         FlyingDrone one = new FlyingDrone("a", -60, 0).to(60, 0, 20);

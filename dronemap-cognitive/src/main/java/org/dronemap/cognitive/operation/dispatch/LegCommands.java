@@ -1,6 +1,5 @@
 package org.dronemap.cognitive.operation.dispatch;
 
-import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
@@ -13,14 +12,12 @@ import org.dronemap.core.command.SetReturnOnCloudLoss;
 import org.dronemap.core.mission.Altitude;
 import org.dronemap.core.operation.OperationAction;
 import org.dronemap.core.operation.OperationId;
+import org.dronemap.core.separation.GiveWay;
 
 /** Chooses the commands for one drone of a dispatch, one at a time: make ready, arm, take off, go there, come home. */
 final class LegCommands {
     /** So little below its height a drone counts as up. */
     private static final double RISEN_METERS = 3;
-
-    /** By then it was seen whether another drone is in the way of its take-off. */
-    private static final Duration UNTIL_LOOKED = Duration.ofSeconds(1);
 
     private final OperationId dispatch;
     private final Instant startingSince;
@@ -63,7 +60,7 @@ final class LegCommands {
         } else if (!look.flight().guided() && look.flight().orders() != null) {
             send(Purpose.MODE, new Command.SetMode(look.flight().orders()));
         } else if (!look.flight().armed()) {
-            if (look.giveWay() == null && !at.isBefore(startingSince.plus(UNTIL_LOOKED))) {
+            if (look.giveWay() == null && !at.isBefore(startingSince.plus(GiveWay.SHOWN_AFTER))) {
                 send(Purpose.ARM, new Command.Arm());
             }
         } else if (!look.flight().airborne()) {
